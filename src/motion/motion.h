@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "base/geometry.h"
+#include "base/record.h"
+#include "scenario/motions.h"
+
+namespace fissure {
+
+/// A tool's pose as a function of scenario time.
+class Motion {
+ public:
+  virtual ~Motion() = default;
+  /// Pose at `time_s`; before 0 the first pose, after duration() the last one.
+  virtual Pose poseAt(double time_s) const = 0;
+  virtual double duration_s() const = 0;
+  /// Scalars for the result's summary, e.g. what a replay held, skipped or found (empty for scripts).
+  virtual Summary summary() const { return {}; }
+};
+
+/// Builds the motion a tool names. `directory`: where relative log files start. Throws InputError with file and line for a
+/// log that is missing, empty, binary, lacks a named column, or has no usable row.
+std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory);
+
+}  // namespace fissure

@@ -1,0 +1,31 @@
+#include "scenario/catalog.h"
+
+namespace fissure {
+
+const Catalog& catalog() {
+  static const Catalog tables{
+      .pipelines =
+          {{"default", "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
+           {"null", "default behind a detector of ours that only delegates; must equal default bit for bit"},
+           {"raycast", "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
+           {"fukuhara", "the full method: node ray casting, infeasible pairs excluded, enforced displacement"}},
+      .force_laws = {{"hunt_crossley", "F = k x^n + lambda x^n x', never pulling (Hunt and Crossley 1975)"},
+                     {"linear_elastic", "F = k x, the default model that the paper replaced"}},
+      .body_shapes = {{"sphere", "subdivided octahedron, 8 x 4^subdivisions triangles"},
+                      {"box", "12 triangles, full edge lengths"},
+                      {"triangles", "a closed surface from plain arrays"}},
+      .tool_shapes = {{"box", "full edge lengths; nodes on a grid on both large faces"}},
+      .motions = {{"script", "waypoints and holds"}, {"replay", "a recorded hand motion from a text file"}},
+      .timings = {{"constant", "constant speed"},
+                  {"trapezoidal", "constant acceleration, cruise, constant deceleration"},
+                  {"minimum_jerk", "10 s^3 - 15 s^4 + 6 s^5"}},
+      .interpolations = {{"linear", "straight lines between samples"},
+                         {"monotone_cubic", "smooth, without overshoot (Fritsch and Carlson 1980)"}},
+      .settings = {{"stock", "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1"},
+                   {"tuned", "SDF voxel 0.5 mm, kinematic contact hardness 1"}},
+      .precisions = {{"f64", "Bullet in double precision"}},
+  };
+  return tables;
+}
+
+}  // namespace fissure

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace fissure {
+
+/// A choice that a scenario can name, with one line for people.
+struct CatalogEntry {
+  std::string_view name;
+  std::string_view description;
+};
+
+/// Every name a scenario can choose from. `list`, validation, help and dispatch read these tables and no other; tests
+/// say that each name has its implementation.
+struct Catalog {
+  std::vector<CatalogEntry> pipelines;
+  std::vector<CatalogEntry> force_laws;
+  std::vector<CatalogEntry> body_shapes;
+  std::vector<CatalogEntry> tool_shapes;
+  std::vector<CatalogEntry> motions;
+  std::vector<CatalogEntry> timings;
+  std::vector<CatalogEntry> interpolations;
+  std::vector<CatalogEntry> settings;
+  std::vector<CatalogEntry> precisions;
+};
+
+const Catalog& catalog();
+
+}  // namespace fissure

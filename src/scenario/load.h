@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// `--set path=value`: `path` as in Problem, list items by name or index; `value` is YAML.
+struct Override {
+  std::string path;
+  std::string value;
+};
+
+/// A scenario with what its result must remember.
+struct LoadedScenario {
+  Scenario scenario;
+  std::string source;                          ///< the file, verbatim
+  std::string resolved;                        ///< toYaml(scenario)
+  std::vector<std::filesystem::path> inputs;   ///< the file, its bases and the logs it names
+};
+
+/// Reads a scenario file, strictly: unknown or duplicate keys, wrong types, values out of range, octal-looking numbers,
+/// non-finite numbers and missing files are InputErrors, one line with file and line, and 'did you mean'.
+/// `base: other.yaml` is read first; this file's keys replace or extend it (lists of named items merge by name).
+LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
+
+/// The same from text; `file` is used in messages, and its directory for relative names.
+LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
+                             const std::vector<Override>& overrides = {});
+
+/// The whole scenario, every default written out, numbers in the shortest form that reads back to the same double.
+/// loadScenario of this text gives an equal scenario.
+std::string toYaml(const Scenario& scenario);
+
+}  // namespace fissure

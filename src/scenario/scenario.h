@@ -1,0 +1,88 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/bodies.h"
+#include "scenario/motions.h"
+#include "scenario/pipelines.h"
+
+namespace fissure {
+
+struct TimeSettings {
+  double step_s = 0.001;  ///< fixed time step dt, > 0
+  double settle_s = 0.0;  ///< simulated before time zero with the tools at their first pose, not recorded; >= 0
+  std::optional<double> duration_s;  ///< from time zero; default: until the longest tool motion ends
+};
+
+/// Fields of Bullet's world that soft bodies read (btSoftBodyWorldInfo).
+struct WorldSettings {
+  Vec3 gravity_m_s2 = {0, -9.81, 0};
+  double air_density_kg_m3 = 1.2;        ///< only matters with drag or lift
+  double max_displacement_m = 1000.0;    ///< Bullet's cap on the velocity change by forces in a step, times dt
+};
+
+/// A horizontal half-space under the tissue: one analytic contact a vertex, the same in every pipeline, solved by
+/// Bullet with its other contacts (METHOD: facts about Bullet).
+struct GroundSettings {
+  double height_m = 0.0;
+  double friction = 0.5;   ///< Bullet's default for a rigid body; multiplied by the body's dynamic_friction
+  double hardness = 1.0;   ///< share of the overlap that one solver iteration removes, 0..1
+};
+
+struct CameraSettings {
+  Vec3 position_m = {0, 0.1, 0.2};
+  Vec3 look_at_m = {0, 0, 0};
+  Vec3 up = {0, 1, 0};
+  double field_of_view_deg = 35;  ///< vertical, 1..150
+};
+
+struct FrameSettings {
+  double every_s = 0.05;
+  int width_px = 640;   ///< 16..4096
+  int height_px = 480;  ///< 16..4096
+  std::optional<CameraSettings> camera;  ///< default: the whole first state in view, seen from the front, above
+};
+
+struct RecordSettings {
+  std::optional<double> snapshots_every_s;  ///< vertex positions; default: none kept
+  std::optional<FrameSettings> frames;      ///< default: none drawn, no renderer loaded
+};
+
+struct MeasureSettings {
+  /// Distance between the tool-surface samples that penetration is measured on, metres; default: fine enough for
+  /// the thinnest tool and the finest tissue edge, within measure's stated limits on their number.
+  std::optional<double> sample_spacing_m;
+};
+
+/// One experiment: what is simulated, through which pipelines, what is recorded. Plain data with every default here.
+struct Scenario {
+  int format = 1;
+  std::string name;         ///< letters, digits, '_', '-'; names the result file
+  std::string description;  ///< one line
+  TimeSettings time;
+  WorldSettings world;
+  std::optional<GroundSettings> ground;
+  std::vector<BodySettings> bodies;        ///< at least one
+  std::vector<ToolSettings> tools;
+  std::vector<PipelineSettings> pipelines; ///< at least one; each is one run in a process of its own
+  std::vector<ForceSettings> force;        ///< all evaluated in every run
+  RecordSettings record;
+  MeasureSettings measure;
+
+  /// Where relative file names of this scenario start. Not part of the file.
+  std::filesystem::path directory = ".";
+};
+
+/// One thing wrong with a scenario; `path` as in `tools.spatula.shape.size_m` or `pipelines.0.sweeps`.
+struct Problem {
+  std::string path;
+  std::string message;  ///< what is wrong and what was expected
+};
+
+/// Checks every value and every relation between them that needs no file. Empty: the scenario can be run.
+std::vector<Problem> validate(const Scenario& scenario);
+
+}  // namespace fissure
