@@ -19,7 +19,8 @@ struct Image {
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
-  /// The scene in `state`, with `lines` of text (printable ASCII) in a corner. Throws RunError when drawing fails.
+  /// The scene in `state`, with `lines` of text (printable ASCII) in a corner. Throws RunError when drawing
+  /// fails.
   virtual Image draw(const State& state, const std::vector<std::string>& lines) = 0;
 };
 

@@ -25,13 +25,15 @@ std::size_t RecordLayout::add(Series series) {
 }
 
 const RecordAxis& RecordLayout::axis(const std::string& name) const {
-  const auto found = std::find_if(axes_.begin(), axes_.end(), [&](const RecordAxis& a) { return a.name == name; });
+  const auto found =
+      std::find_if(axes_.begin(), axes_.end(), [&](const RecordAxis& a) { return a.name == name; });
   if (found == axes_.end()) throw std::logic_error("record axis not declared: " + name);
   return *found;
 }
 
 const Series* RecordLayout::find(const std::string& name) const {
-  const auto found = std::find_if(series_.begin(), series_.end(), [&](const Series& s) { return s.name == name; });
+  const auto found =
+      std::find_if(series_.begin(), series_.end(), [&](const Series& s) { return s.name == name; });
   return found == series_.end() ? nullptr : &*found;
 }
 

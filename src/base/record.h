@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -23,7 +22,7 @@ enum class ValueType {
 
 /// One time series of a run: the meaning of a few columns of the record.
 struct Series {
-  std::string name;  ///< of the dataset; may start with "timing/"
+  std::string name;       ///< of the dataset; may start with "timing/"
   std::string units;      ///< "m", "N", "1", "us" ...
   std::string long_name;  ///< one line for people
   ValueType type = ValueType::real;
@@ -37,8 +36,8 @@ class RecordLayout {
  public:
   /// Declares an axis; the same name again must bring the same labels (std::logic_error otherwise).
   void addAxis(const RecordAxis& axis);
-  /// Declares a series over declared axes and returns its first column. Throws std::logic_error on a duplicate name
-  /// or an unknown axis.
+  /// Declares a series over declared axes and returns its first column. Throws std::logic_error on a
+  /// duplicate name or an unknown axis.
   std::size_t add(Series series);
 
   const std::vector<RecordAxis>& axes() const { return axes_; }

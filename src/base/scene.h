@@ -12,7 +12,8 @@ namespace fissure {
 /// A soft body as placed at time zero.
 struct SceneBody {
   std::string name;
-  TriangleMesh rest;     ///< in the scene's frame; closed, outward faces; indices count from this body's first vertex
+  TriangleMesh
+      rest;  ///< in the scene's frame; closed, outward faces; indices count from this body's first vertex
   int first_vertex = 0;  ///< of this body in the concatenated vertex arrays of a State
   int first_face = 0;
 };
@@ -20,10 +21,10 @@ struct SceneBody {
 /// A rigid, kinematic tool, in its own frame.
 struct SceneTool {
   std::string name;
-  TriangleMesh surface;         ///< outward faces
+  TriangleMesh surface;            ///< outward faces
   std::optional<Vec3> box_size_m;  ///< full edge lengths when the tool is a box centred on its origin
-  ToolNodes nodes;              ///< empty for pipelines that use none
-  int first_node = 0;           ///< of this tool in the concatenated node arrays of a State
+  ToolNodes nodes;                 ///< empty for pipelines that use none
+  int first_node = 0;              ///< of this tool in the concatenated node arrays of a State
 };
 
 /// The geometry of one run: what engine, measure, render and store agree on. Built once from a scenario.
@@ -33,7 +34,9 @@ struct Scene {
   std::optional<double> ground_height_m;  ///< tissue is held above y = this height; no value: no ground
 
   int vertexCount() const {
-    return bodies.empty() ? 0 : bodies.back().first_vertex + static_cast<int>(bodies.back().rest.vertices_m.size());
+    return bodies.empty()
+               ? 0
+               : bodies.back().first_vertex + static_cast<int>(bodies.back().rest.vertices_m.size());
   }
   int faceCount() const {
     return bodies.empty() ? 0 : bodies.back().first_face + static_cast<int>(bodies.back().rest.faces.size());

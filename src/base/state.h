@@ -11,16 +11,16 @@ namespace fissure {
 /// A tool at the end of a step.
 struct ToolState {
   Pose pose;
-  Vec3 velocity_m_s = Vec3::Zero();              ///< of the tool's origin, mean over the step
-  Vec3 angular_velocity_rad_s = Vec3::Zero();    ///< scene frame, mean over the step
+  Vec3 velocity_m_s = Vec3::Zero();            ///< of the tool's origin, mean over the step
+  Vec3 angular_velocity_rad_s = Vec3::Zero();  ///< scene frame, mean over the step
 };
 
 /// One force law evaluated over all bodies in one step. Forces act ON THE TOOLS, scene frame, newtons.
 struct ForceSample {
-  Vec3 force_on_tool_N = Vec3::Zero();   ///< sum over triangles and tools
-  double elastic_N = 0;                  ///< sum of the triangles' elastic terms (magnitudes)
-  double viscous_N = 0;                  ///< sum of the triangles' viscous terms (signed magnitudes)
-  int adhesion_clamped = 0;              ///< triangles whose formula would have pulled; their force was set to 0
+  Vec3 force_on_tool_N = Vec3::Zero();  ///< sum over triangles and tools
+  double elastic_N = 0;                 ///< sum of the triangles' elastic terms (magnitudes)
+  double viscous_N = 0;                 ///< sum of the triangles' viscous terms (signed magnitudes)
+  int adhesion_clamped = 0;  ///< triangles whose formula would have pulled; their force was set to 0
 };
 
 /// Wall time of one step, microseconds; NaN for the initial state.
@@ -29,8 +29,9 @@ struct StepTiming {
   double collision_us = 0;  ///< the collision part of it: tool against tissue
 };
 
-/// Everything one step leaves behind, engine-neutral. Arrays run over all bodies (vertices) or all tools (nodes),
-/// concatenated in the Scene's order. One object lives through a run and is overwritten by every step.
+/// Everything one step leaves behind, engine-neutral. Arrays run over all bodies (vertices) or all tools
+/// (nodes), concatenated in the Scene's order. One object lives through a run and is overwritten by every
+/// step.
 struct State {
   std::int64_t step = 0;  ///< 0: the initial state, after settling
   double time_s = 0;      ///< step x dt
@@ -41,12 +42,13 @@ struct State {
 
   std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool
-  int candidate_count = 0;   ///< contacts the detector proposed in this step
-  int infeasible_count = 0;  ///< of these, excluded by their pair
-  int contact_count = 0;     ///< of these, acting on the tissue
-  int capped_count = 0;      ///< of these, limited by the displacement cap
-  Vec3 reaction_on_tool_N = Vec3::Zero();  ///< momentum the tool contacts took from the tissue in the step, over dt
-  std::vector<ForceSample> forces;         ///< one a force law, in the scenario's order
+  int candidate_count = 0;                   ///< contacts the detector proposed in this step
+  int infeasible_count = 0;                  ///< of these, excluded by their pair
+  int contact_count = 0;                     ///< of these, acting on the tissue
+  int capped_count = 0;                      ///< of these, limited by the displacement cap
+  Vec3 reaction_on_tool_N =
+      Vec3::Zero();                 ///< momentum the tool contacts took from the tissue in the step, over dt
+  std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
   StepTiming timing;
 };
 

@@ -9,7 +9,8 @@
 
 namespace fissure {
 
-/// The probes that this run needs, in the order of their series in the record. The same code for every pipeline.
+/// The probes that this run needs, in the order of their series in the record. The same code for every
+/// pipeline.
 std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const PipelineSettings& pipeline,
                                                const Scene& scene);
 

@@ -4,8 +4,9 @@
 
 namespace fissure {
 
-/// Octahedron, each triangle split in four `subdivisions` times, vertices projected on the sphere around the origin:
-/// 8 x 4^n triangles, 4^(n+1) + 2 vertices, outward faces. radius in metres.
+/// Octahedron around the origin, each triangle split in four `subdivisions` times; new vertices are projected
+/// on the sphere after every split, so that an edge on a great circle is always halved evenly. 8 x 4^n
+/// outward triangles, 4^(n+1) + 2 vertices, all at `radius_m` (metres).
 TriangleMesh makeSphere(double radius_m, int subdivisions);
 
 /// Box centred on the origin, full edge lengths in metres: 8 vertices, 12 outward triangles.

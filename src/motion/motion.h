@@ -20,8 +20,9 @@ class Motion {
   virtual Summary summary() const { return {}; }
 };
 
-/// Builds the motion a tool names. `directory`: where relative log files start. Throws InputError with file and line for a
-/// log that is missing, empty, binary, lacks a named column, or has no usable row.
+/// Builds the motion a tool names. `directory`: where relative log files start. Throws InputError, with file
+/// and line where there is one, for a log that is missing, empty, binary, malformed, lacks a named column or
+/// has no usable row, and for settings that name no path (`tools.NAME.motion: ...`).
 std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory);
 
 }  // namespace fissure

@@ -8,21 +8,28 @@
 
 namespace fissure {
 
-/// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n triangles.
+/// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n
+/// triangles.
 struct SphereShape {
   double radius_m = 0.03;
   int subdivisions = 2;  ///< 0..7; 2: 128 triangles (the paper's), 3: 512, 4: 2048
+
+  bool operator==(const SphereShape&) const = default;
 };
 
 /// A box centred on its own origin, full edge lengths.
 struct BoxShape {
   Vec3 size_m = {0.04, 0.002, 0.015};
+
+  bool operator==(const BoxShape&) const = default;
 };
 
 /// Plain arrays: a closed, consistently outward-oriented surface.
 struct TrianglesShape {
   std::vector<Vec3> vertices_m;
   std::vector<Face> faces;  ///< vertex indices from 0, counter-clockwise seen from outside
+
+  bool operator==(const TrianglesShape&) const = default;
 };
 
 /// Bullet's btSoftBody::Material, for all links of a body. Dimensionless, 0..1.
@@ -30,26 +37,30 @@ struct MaterialSettings {
   double linear_stiffness = 1.0;   ///< m_kLST
   double angular_stiffness = 1.0;  ///< m_kAST
   double volume_stiffness = 1.0;   ///< m_kVST
+
+  bool operator==(const MaterialSettings&) const = default;
 };
 
 /// Bullet's btSoftBody::Config, field by field, with Bullet's own defaults.
 struct SolverSettings {
-  double velocity_correction = 1.0;       ///< kVCF, Baumgarte factor of the drift solver, >= 0
-  double damping = 0.0;                   ///< kDP, share of velocity lost in a step, 0..1
-  double drag = 0.0;                      ///< kDG, >= 0
-  double lift = 0.0;                      ///< kLF, >= 0
-  double pressure = 0.0;                  ///< kPR
-  double volume_conservation = 0.0;       ///< kVC, >= 0
-  double dynamic_friction = 0.2;          ///< kDF, 0..1
-  double pose_matching = 0.0;             ///< kMT, 0..1: share of the way to the matched rest shape in a step
-  double rigid_hardness = 1.0;            ///< kCHR, 0..1: contacts with dynamic bodies
-  double soft_hardness = 1.0;             ///< kSHR, 0..1: contacts with soft bodies
-  double anchor_hardness = 0.7;           ///< kAHR, 0..1
-  double max_volume = 1.0;                ///< maxvolume, of pose matching, > 0
-  double time_scale = 1.0;                ///< timescale, > 0
-  int velocity_iterations = 0;            ///< viterations, 0..1000
-  int position_iterations = 1;            ///< piterations, 1..1000
-  int drift_iterations = 0;               ///< diterations, 0..1000
+  double velocity_correction = 1.0;  ///< kVCF, Baumgarte factor of the drift solver, >= 0
+  double damping = 0.0;              ///< kDP, share of velocity lost in a step, 0..1
+  double drag = 0.0;                 ///< kDG, >= 0
+  double lift = 0.0;                 ///< kLF, >= 0
+  double pressure = 0.0;             ///< kPR
+  double volume_conservation = 0.0;  ///< kVC, >= 0
+  double dynamic_friction = 0.2;     ///< kDF, 0..1
+  double pose_matching = 0.0;        ///< kMT, 0..1: share of the way to the matched rest shape in a step
+  double rigid_hardness = 1.0;       ///< kCHR, 0..1: contacts with dynamic bodies
+  double soft_hardness = 1.0;        ///< kSHR, 0..1: contacts with soft bodies
+  double anchor_hardness = 0.7;      ///< kAHR, 0..1
+  double max_volume = 1.0;           ///< maxvolume, of pose matching, > 0
+  double time_scale = 1.0;           ///< timescale, > 0
+  int velocity_iterations = 0;       ///< viterations, 0..1000
+  int position_iterations = 1;       ///< piterations, 1..1000
+  int drift_iterations = 0;          ///< diterations, 0..1000
+
+  bool operator==(const SolverSettings&) const = default;
 };
 
 /// A soft body: Bullet's spring shell over a closed triangle surface.
@@ -59,14 +70,16 @@ struct BodySettings {
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
   double mass_kg = 0.1;                 ///< of the whole body, > 0
-  bool mass_from_faces = false;         ///< false: the same mass for each vertex; true: by the area of its faces
-  double margin_m = 0.0005;             ///< collision margin, > 0; Bullet's own default is 0.25
-  int bending_distance = 2;             ///< links between vertices this many links apart; 0: none, else 2..5
-  bool randomize_links = true;          ///< Bullet's fixed shuffle of links and faces
-  bool pose_volume = true;              ///< setPose(volume, .): remember the rest volume
-  bool pose_frame = true;               ///< setPose(., frame): remember the rest shape, for pose matching
+  bool mass_from_faces = false;  ///< false: the same mass for each vertex; true: by the area of its faces
+  double margin_m = 0.0005;      ///< collision margin, > 0; Bullet's own default is 0.25
+  int bending_distance = 2;      ///< links between vertices this many links apart; 0: none, else 2..5
+  bool randomize_links = true;   ///< Bullet's fixed shuffle of links and faces
+  bool pose_volume = true;       ///< setPose(volume, .): remember the rest volume
+  bool pose_frame = true;        ///< setPose(., frame): remember the rest shape, for pose matching
   MaterialSettings material;
   SolverSettings solver;
+
+  bool operator==(const BodySettings&) const = default;
 };
 
 }  // namespace fissure

@@ -5,10 +5,13 @@ namespace fissure {
 const Catalog& catalog() {
   static const Catalog tables{
       .pipelines =
-          {{"default", "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
+          {{"default",
+            "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
            {"null", "default behind a detector of ours that only delegates; must equal default bit for bit"},
-           {"raycast", "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
-           {"fukuhara", "the full method: node ray casting, infeasible pairs excluded, enforced displacement"}},
+           {"raycast",
+            "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
+           {"fukuhara",
+            "the full method: node ray casting, infeasible pairs excluded, enforced displacement"}},
       .force_laws = {{"hunt_crossley", "F = k x^n + lambda x^n x', never pulling (Hunt and Crossley 1975)"},
                      {"linear_elastic", "F = k x, the default model that the paper replaced"}},
       .body_shapes = {{"sphere", "subdivided octahedron, 8 x 4^subdivisions triangles"},
@@ -24,6 +27,7 @@ const Catalog& catalog() {
       .settings = {{"stock", "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1"},
                    {"tuned", "SDF voxel 0.5 mm, kinematic contact hardness 1"}},
       .precisions = {{"f64", "Bullet in double precision"}},
+      .length_units = {{"m", "metres"}, {"mm", "millimetres"}},
   };
   return tables;
 }

@@ -11,8 +11,9 @@ struct CatalogEntry {
   std::string_view description;
 };
 
-/// Every name a scenario can choose from. `list`, validation, help and dispatch read these tables and no other; tests
-/// say that each name has its implementation.
+/// Every name a scenario can choose from. `list`, validation, help and dispatch read these tables and no
+/// other; tests say that each name has its implementation. Names of an enum or of the alternatives of a
+/// variant are in its order.
 struct Catalog {
   std::vector<CatalogEntry> pipelines;
   std::vector<CatalogEntry> force_laws;
@@ -23,6 +24,7 @@ struct Catalog {
   std::vector<CatalogEntry> interpolations;
   std::vector<CatalogEntry> settings;
   std::vector<CatalogEntry> precisions;
+  std::vector<CatalogEntry> length_units;
 };
 
 const Catalog& catalog();

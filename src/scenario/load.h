@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -16,22 +17,26 @@ struct Override {
 /// A scenario with what its result must remember.
 struct LoadedScenario {
   Scenario scenario;
-  std::string source;                          ///< the file, verbatim
-  std::string resolved;                        ///< toYaml(scenario)
-  std::vector<std::filesystem::path> inputs;   ///< the file, its bases and the logs it names
+  std::string source;                         ///< the file, verbatim
+  std::string resolved;                       ///< toYaml(scenario)
+  std::vector<std::filesystem::path> inputs;  ///< the file, its bases (nearest first), the logs it names
 };
 
-/// Reads a scenario file, strictly: unknown or duplicate keys, wrong types, values out of range, octal-looking numbers,
-/// non-finite numbers and missing files are InputErrors, one line with file and line, and 'did you mean'.
-/// `base: other.yaml` is read first; this file's keys replace or extend it (lists of named items merge by name).
+/// Reads a scenario file, strictly: unknown or duplicate keys, wrong types, values out of range,
+/// octal-looking numbers, non-finite numbers and missing files are InputErrors, one line with file and line,
+/// and 'did you mean'. `base: other.yaml`, relative to the file, is read first; this file's keys replace or
+/// extend it: maps merge key by key (one with another `type` replaces), lists whose items all have names
+/// merge by name, other and empty lists replace. Logs named in a base start from the base's directory. An
+/// override replaces the whole value at its path.
 LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-/// The same from text; `file` is used in messages, and its directory for relative names.
+/// The same from text; `file` is used in messages, and its directory for relative names. It need not exist,
+/// and is not among `inputs`.
 LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
                              const std::vector<Override>& overrides = {});
 
-/// The whole scenario, every default written out, numbers in the shortest form that reads back to the same double.
-/// loadScenario of this text gives an equal scenario.
+/// The whole scenario, every default written out, numbers in the shortest form that reads back to the same
+/// double. loadScenario of this text gives an equal scenario.
 std::string toYaml(const Scenario& scenario);
 
 }  // namespace fissure

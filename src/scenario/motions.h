@@ -18,15 +18,20 @@ enum class Timing {
   minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 (Flash and Hogan 1985)
 };
 
-/// One piece of a scripted motion. Exactly one of `move_to_m`/`rotate_to` (either or both) or `hold_s` is given.
+/// One piece of a scripted motion: either `hold_s`, or `move_to_m`, `rotate_to` or both with one of speed and
+/// duration.
 struct MotionSegment {
-  std::optional<Vec3> move_to_m;    ///< scene frame; default: stay
-  std::optional<Quat> rotate_to;    ///< x, y, z, w; default: stay; interpolated on the shorter arc
-  std::optional<double> hold_s;     ///< rest for this long, > 0
-  std::optional<double> speed_m_s;  ///< mean speed along the way (for trapezoidal and minimum jerk too), > 0
-  std::optional<double> duration_s; ///< instead of speed_m_s, > 0
+  std::optional<Vec3> move_to_m;  ///< scene frame; default: stay
+  std::optional<Quat> rotate_to;  ///< x, y, z, w; default: stay; interpolated on the shorter arc
+  std::optional<double> hold_s;   ///< rest for this long, > 0
+  std::optional<double>
+      speed_m_s;  ///< mean speed along the way, for every timing; needs a way of some length; > 0
+  std::optional<double> duration_s;  ///< instead of speed_m_s, > 0
   Timing timing = Timing::constant;
-  double ramp_fraction = 0.25;      ///< trapezoidal: share of the time spent accelerating, and again decelerating; (0, 0.5]
+  /// Trapezoidal: share of the time spent accelerating, and again decelerating; (0, 0.5].
+  double ramp_fraction = 0.25;
+
+  bool operator==(const MotionSegment&) const = default;
 };
 
 /// Waypoints and holds from a start pose; after the last segment the tool stays.
@@ -34,6 +39,8 @@ struct ScriptMotion {
   Vec3 start_m = Vec3::Zero();
   Quat start_orientation = Quat::Identity();
   std::vector<MotionSegment> segments;
+
+  bool operator==(const ScriptMotion&) const = default;
 };
 
 enum class LengthUnit { m, mm };
@@ -42,42 +49,52 @@ enum class Interpolation { linear, monotone_cubic };
 /// From the log's device frame to the scene:
 ///   position = origin_scene_m + scale * R * (p_device - origin_device_m)
 ///   orientation = R * q_device * mount
-/// R maps device axes to scene axes: row i of `axes` names the device axis ("x", "-y", ...) that scene axis i is.
+/// R maps device axes to scene axes: row i of `axes` names the device axis ("x", "-y", ...) that scene axis i
+/// is.
 struct DeviceMapping {
   std::array<std::string, 3> axes = {"x", "y", "z"};  ///< must form a right-handed frame
   double scale = 1.0;                                 ///< > 0
   Vec3 origin_device_m = Vec3::Zero();
   Vec3 origin_scene_m = Vec3::Zero();
   Quat mount = Quat::Identity();  ///< the tool in the hand: x, y, z, w
+
+  bool operator==(const DeviceMapping&) const = default;
 };
 
 /// A recorded hand motion, from a text file with one row a sample and a header line of column names.
 struct ReplayMotion {
-  std::string file;                                  ///< relative to the scenario's directory
-  std::optional<std::string> time_column;            ///< seconds; time zero is the first sample kept
-  std::optional<double> rate_hz;                     ///< instead of time_column: samples at this rate
+  std::string file;                        ///< relative to the scenario's directory
+  std::optional<std::string> time_column;  ///< seconds; time zero is the first sample kept
+  std::optional<double> rate_hz;           ///< instead of time_column: samples at this rate, > 0
   std::array<std::string, 3> position_columns = {"x", "y", "z"};
   LengthUnit position_unit = LengthUnit::m;
   std::optional<std::array<std::string, 4>> quaternion_columns;  ///< x, y, z, w; default: mount alone
   DeviceMapping mapping;
-  double start_s = 0.0;           ///< log time, from the first row, where the replay begins, >= 0
-  std::optional<double> end_s;    ///< log time where it ends; default: the last row
+  double start_s = 0.0;         ///< log time, from the first row, where the replay begins, >= 0
+  std::optional<double> end_s;  ///< log time where it ends; default: the last row
   Interpolation interpolation = Interpolation::linear;
-  double max_gap_s = 0.25;        ///< longer gaps between rows are held, then counted; > 0
-  double jump_m = 0.02;           ///< a step between two samples longer than this is counted as a jump; > 0
+  double max_gap_s = 0.25;  ///< longer gaps between rows are held, then counted; > 0
+  double jump_m = 0.02;     ///< a step between two samples longer than this is counted as a jump; > 0
+
+  bool operator==(const ReplayMotion&) const = default;
 };
 
 struct NodeSettings {
-  std::array<int, 2> resolution = {8, 8};  ///< nodes along the longer and the shorter edge of each large face, 1..512
+  /// Nodes along the longer and the shorter edge of each large face, 1..512.
+  std::array<int, 2> resolution = {8, 8};
+
+  bool operator==(const NodeSettings&) const = default;
 };
 
 /// A rigid tool on a prescribed path.
 struct ToolSettings {
   std::string name;
   BoxShape shape;
-  NodeSettings nodes;      ///< for the pipelines that use nodes
-  double friction = 0.0;   ///< of the tool in Bullet's own contacts, >= 0
+  NodeSettings nodes;     ///< for the pipelines that use nodes
+  double friction = 0.0;  ///< of the tool in Bullet's own contacts, >= 0
   std::variant<ScriptMotion, ReplayMotion> motion;
+
+  bool operator==(const ToolSettings&) const = default;
 };
 
 }  // namespace fissure

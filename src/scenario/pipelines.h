@@ -7,36 +7,46 @@ namespace fissure {
 
 /// One entry of `pipelines:`: one run, in a process of its own; `name` keys the result.
 struct PipelineSettings {
-  std::string name;             ///< unique; default: the pipeline's
-  std::string pipeline;         ///< a name in catalog().pipelines
-  std::string precision = "f64";///< of the engine's own state
-  std::string settings = "stock";  ///< "stock": Bullet's defaults for the two fields below; "tuned": 0.0005 m and 1
+  std::string name;               ///< unique; default: the pipeline's
+  std::string pipeline;           ///< a name in catalog().pipelines
+  std::string precision = "f64";  ///< of the engine's own state
+  /// "stock": Bullet's defaults for the two fields below; "tuned": 0.0005 m and 1.
+  std::string settings = "stock";
 
   /// Bullet's own contact with the tool (pipelines `default`, `null`); no value: as `settings` says.
   std::optional<double> sdf_voxel_m;         ///< cell of btSparseSdf, > 0; Bullet's default 0.25
   std::optional<double> kinematic_hardness;  ///< kKHR, 0..1; Bullet's default 0.1
 
   /// Ray casting pipelines.
-  std::optional<double> ray_length_m;       ///< L; default: the extent of each body at rest, at least the travel in a step
-  int sweeps = 10;                          ///< Gauss-Seidel sweeps of enforced displacement, 1..1000
-  std::optional<double> max_displacement_m; ///< of a vertex in one step; default: half the body's extent, or the tool's
-                                            ///< travel in the step where that is more
+  /// L; default: the extent of each body at rest, at least the travel in a step.
+  std::optional<double> ray_length_m;
+  int sweeps = 10;  ///< Gauss-Seidel sweeps of enforced displacement, 1..1000
+  /// Of a vertex in one step; default: half the body's extent, or the tool's travel in the step where that is
+  /// more.
+  std::optional<double> max_displacement_m;
 
   double time_limit_s = 3600;  ///< wall clock; a run beyond it is stopped and recorded as "timeout"; > 0
 
-  /// The two fields above with `settings` applied.
+  /// Whether this pipeline detects contacts with tool nodes; the others use Bullet's own contact.
+  bool usesNodes() const { return pipeline == "raycast" || pipeline == "fukuhara"; }
+
+  /// The two fields `sdf_voxel_m` and `kinematic_hardness` with `settings` applied.
   double sdfVoxel_m() const { return sdf_voxel_m.value_or(settings == "tuned" ? 0.0005 : 0.25); }
   double kinematicHardness() const { return kinematic_hardness.value_or(settings == "tuned" ? 1.0 : 0.1); }
+
+  bool operator==(const PipelineSettings&) const = default;
 };
 
 /// One entry of `force:`: a force law evaluated in every step of every run.
 ///   hunt_crossley: F = k x^n + lambda x^n x'     linear_elastic: F = k x
 struct ForceSettings {
-  std::string name;            ///< unique; default: the model's
-  std::string model;           ///< a name in catalog().force_laws
-  double k = 200;              ///< N/m^n, >= 0
-  double lambda = 50;          ///< N s/m^(n+1), >= 0; hunt_crossley only
-  double n = 1.3;              ///< exponent, > 0; hunt_crossley only
+  std::string name;    ///< unique; default: the model's
+  std::string model;   ///< a name in catalog().force_laws
+  double k = 200;      ///< N/m^n, >= 0
+  double lambda = 50;  ///< N s/m^(n+1), >= 0; hunt_crossley only
+  double n = 1.3;      ///< exponent, > 0; hunt_crossley only
+
+  bool operator==(const ForceSettings&) const = default;
 };
 
 }  // namespace fissure

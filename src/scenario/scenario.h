@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "scenario/bodies.h"
@@ -13,23 +14,31 @@ namespace fissure {
 
 struct TimeSettings {
   double step_s = 0.001;  ///< fixed time step dt, > 0
-  double settle_s = 0.0;  ///< simulated before time zero with the tools at their first pose, not recorded; >= 0
-  std::optional<double> duration_s;  ///< from time zero; default: until the longest tool motion ends
+  /// Simulated before time zero with the tools at their first pose, not recorded; >= 0.
+  double settle_s = 0.0;
+  std::optional<double>
+      duration_s;  ///< >= step_s, from time zero; default: until the longest tool motion ends
+
+  bool operator==(const TimeSettings&) const = default;
 };
 
 /// Fields of Bullet's world that soft bodies read (btSoftBodyWorldInfo).
 struct WorldSettings {
   Vec3 gravity_m_s2 = {0, -9.81, 0};
-  double air_density_kg_m3 = 1.2;        ///< only matters with drag or lift
-  double max_displacement_m = 1000.0;    ///< Bullet's cap on the velocity change by forces in a step, times dt
+  double air_density_kg_m3 = 1.2;      ///< only matters with drag or lift
+  double max_displacement_m = 1000.0;  ///< Bullet's cap on the velocity change by forces in a step, times dt
+
+  bool operator==(const WorldSettings&) const = default;
 };
 
-/// A horizontal half-space under the tissue: one analytic contact a vertex, the same in every pipeline, solved by
-/// Bullet with its other contacts (METHOD: facts about Bullet).
+/// A horizontal half-space under the tissue: one analytic contact a vertex, the same in every pipeline,
+/// solved by Bullet with its other contacts (METHOD: facts about Bullet).
 struct GroundSettings {
   double height_m = 0.0;
-  double friction = 0.5;   ///< Bullet's default for a rigid body; multiplied by the body's dynamic_friction
-  double hardness = 1.0;   ///< share of the overlap that one solver iteration removes, 0..1
+  double friction = 0.5;  ///< Bullet's default for a rigid body; multiplied by the body's dynamic_friction
+  double hardness = 1.0;  ///< share of the overlap that one solver iteration removes, 0..1
+
+  bool operator==(const GroundSettings&) const = default;
 };
 
 struct CameraSettings {
@@ -37,27 +46,37 @@ struct CameraSettings {
   Vec3 look_at_m = {0, 0, 0};
   Vec3 up = {0, 1, 0};
   double field_of_view_deg = 35;  ///< vertical, 1..150
+
+  bool operator==(const CameraSettings&) const = default;
 };
 
 struct FrameSettings {
   double every_s = 0.05;
   int width_px = 640;   ///< 16..4096
   int height_px = 480;  ///< 16..4096
-  std::optional<CameraSettings> camera;  ///< default: the whole first state in view, seen from the front, above
+  /// Default: the whole first state in view, seen from the front, above.
+  std::optional<CameraSettings> camera;
+
+  bool operator==(const FrameSettings&) const = default;
 };
 
 struct RecordSettings {
   std::optional<double> snapshots_every_s;  ///< vertex positions; default: none kept
   std::optional<FrameSettings> frames;      ///< default: none drawn, no renderer loaded
+
+  bool operator==(const RecordSettings&) const = default;
 };
 
 struct MeasureSettings {
-  /// Distance between the tool-surface samples that penetration is measured on, metres; default: fine enough for
-  /// the thinnest tool and the finest tissue edge, within measure's stated limits on their number.
+  /// Distance between the tool-surface samples that penetration is measured on, metres; default: fine enough
+  /// for the thinnest tool and the finest tissue edge, within measure's stated limits on their number.
   std::optional<double> sample_spacing_m;
+
+  bool operator==(const MeasureSettings&) const = default;
 };
 
-/// One experiment: what is simulated, through which pipelines, what is recorded. Plain data with every default here.
+/// One experiment: what is simulated, through which pipelines, what is recorded. Plain data, every default
+/// here.
 struct Scenario {
   int format = 1;
   std::string name;         ///< letters, digits, '_', '-'; names the result file
@@ -65,16 +84,21 @@ struct Scenario {
   TimeSettings time;
   WorldSettings world;
   std::optional<GroundSettings> ground;
-  std::vector<BodySettings> bodies;        ///< at least one
+  std::vector<BodySettings> bodies;  ///< at least one
   std::vector<ToolSettings> tools;
-  std::vector<PipelineSettings> pipelines; ///< at least one; each is one run in a process of its own
-  std::vector<ForceSettings> force;        ///< all evaluated in every run
+  std::vector<PipelineSettings> pipelines;  ///< at least one; each is one run in a process of its own
+  std::vector<ForceSettings> force;         ///< all evaluated in every run
   RecordSettings record;
   MeasureSettings measure;
 
   /// Where relative file names of this scenario start. Not part of the file.
   std::filesystem::path directory = ".";
+
+  bool operator==(const Scenario&) const = default;
 };
+
+/// Whether `text` can name a scenario or an item of it: 1 to 64 letters, digits, '_' and '-' (ASCII).
+bool isName(std::string_view text);
 
 /// One thing wrong with a scenario; `path` as in `tools.spatula.shape.size_m` or `pipelines.0.sweeps`.
 struct Problem {

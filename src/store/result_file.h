@@ -15,18 +15,20 @@ namespace fissure {
 /// One pipeline's run as the front knows it.
 struct PartResult {
   PipelineSettings pipeline;
-  std::optional<std::filesystem::path> part;  ///< no value: nothing usable was written; only the status is stored
+  std::optional<std::filesystem::path>
+      part;  ///< no value: nothing usable was written; only the status is stored
   RunStatus status;
 };
 
 /// Attributes of /provenance, in order: name and value.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1. Written beside
-/// `path` under a temporary name, synced, then renamed, and the directory synced: under `path` stands either the whole
-/// file or what stood there before. Throws RunError (a full disk too); the temporary file is removed then.
-void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded, const Provenance& provenance,
-                    const std::vector<PartResult>& parts);
+/// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1.
+/// Written beside `path` under a temporary name, synced, then renamed, and the directory synced: under `path`
+/// stands either the whole file or what stood there before. Throws RunError (a full disk too); the temporary
+/// file is removed then.
+void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
+                    const Provenance& provenance, const std::vector<PartResult>& parts);
 
 /// What the table at the end of `run` and `info` read.
 struct PipelineResult {
@@ -39,7 +41,7 @@ struct PipelineResult {
 };
 struct DatasetInfo {
   std::string path;
-  std::string type;   ///< "f64", "i64", "u8", "text"
+  std::string type;  ///< "f64", "i64", "u8", "text"
   std::vector<unsigned long long> shape;
   std::string units;
 };
@@ -54,8 +56,8 @@ struct ResultInfo {
   std::vector<DatasetInfo> datasets;
 };
 
-/// Reads a result file (or a part). Throws InputError when it is missing, no HDF5 file, not a fissure result, damaged, or of a
-/// newer format_version.
+/// Reads a result file (or a part). Throws InputError when it is missing, no HDF5 file, not a fissure result,
+/// damaged, or of a newer format_version.
 ResultInfo readResultInfo(const std::filesystem::path& path);
 
 /// Versions of the HDF5 library in use at run time, for provenance.

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+namespace fissure {
+
+/// Force of one triangle at a deformation: magnitudes along the contact normal, newtons, >= 0 pushes apart.
+struct LawForce {
+  double elastic_N = 0;
+  double viscous_N = 0;
+  bool adhesion_clamped = false;  ///< the formula would have pulled: elastic + viscous were set to 0 together
+};
+
+/// F(x, x'): how hard tissue pushes back (METHOD: force). Never pulls.
+class ForceLaw {
+ public:
+  virtual ~ForceLaw() = default;
+  /// deformation_m >= 0; its rate in m/s, positive while it grows.
+  virtual LawForce at(double deformation_m, double rate_m_s) const = 0;
+};
+
+/// F = k x^n + lambda x^n x' (Hunt and Crossley 1975; paper, section on the interaction force model).
+/// k in N/m^n, lambda in N s/m^(n+1).
+std::unique_ptr<ForceLaw> makeHuntCrossley(double k, double lambda, double n);
+
+/// F = k x, k in N/m: the default model that the paper replaced.
+std::unique_ptr<ForceLaw> makeLinearElastic(double k);
+
+}  // namespace fissure

@@ -1,0 +1,95 @@
+#include "engine/bullet_world.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/convert.h"
+#include "engine/soft_body.h"
+
+namespace fissure {
+
+void StagedSoftBodySolver::predictMotion(btScalar) {
+  btDefaultSoftBodySolver::predictMotion(static_cast<btScalar>(step_s_));
+}
+
+void StagedSoftBodySolver::solveConstraints(btScalar step_s) {
+  if (ground_) {
+    for (int i = 0; i < m_softBodySet.size(); ++i) ground_->addContacts(*m_softBodySet[i]);
+  }
+  btDefaultSoftBodySolver::solveConstraints(step_s);
+  if (after_solve_) after_solve_();
+}
+
+void TimedWorld::performDiscreteCollisionDetection() {
+  const auto start = std::chrono::steady_clock::now();
+  btSoftRigidDynamicsWorld::performDiscreteCollisionDetection();
+  detection_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+}
+
+BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipeline, const Scene& scene,
+                         std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> configuration)
+    : step_s_(scenario.time.step_s),
+      configuration_(configuration ? std::move(configuration)
+                                   : std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>()),
+      dispatcher_(std::make_unique<btCollisionDispatcher>(configuration_.get())),
+      broadphase_(std::make_unique<btDbvtBroadphase>()),
+      rigid_solver_(std::make_unique<btSequentialImpulseConstraintSolver>()),
+      ground_(scenario.ground ? std::make_unique<Ground>(*scenario.ground) : nullptr),
+      solver_(std::make_unique<StagedSoftBodySolver>(step_s_, ground_.get())),
+      world_(std::make_unique<TimedWorld>(dispatcher_.get(), broadphase_.get(), rigid_solver_.get(),
+                                          configuration_.get(), solver_.get())) {
+  const btVector3 gravity = toBullet(scenario.world.gravity_m_s2);
+  world_->setGravity(gravity);
+  btSoftBodyWorldInfo& info = world_->getWorldInfo();
+  info.m_gravity = gravity;
+  info.air_density = static_cast<btScalar>(scenario.world.air_density_kg_m3);
+  info.m_maxDisplacement = static_cast<btScalar>(scenario.world.max_displacement_m);
+  info.m_sparsesdf.setDefaultVoxelsz(static_cast<btScalar>(pipeline.sdfVoxel_m()));
+  info.m_sparsesdf.Reset();  // a new voxel size applies from here on
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    bodies_.push_back(
+        makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline.kinematicHardness()));
+    world_->addSoftBody(bodies_.back().get());
+  }
+}
+
+BulletWorld::~BulletWorld() {
+  for (const auto& body : bodies_) world_->removeSoftBody(body.get());
+}
+
+void BulletWorld::step() {
+  const btScalar step_s = static_cast<btScalar>(step_s_);
+  world_->stepSimulation(step_s, 1, step_s);
+}
+
+void BulletWorld::readPositions(std::vector<Vec3>& positions_m) const {
+  std::size_t vertex = 0;
+  for (const auto& body : bodies_) {
+    for (int i = 0; i < body->m_nodes.size(); ++i) positions_m[vertex++] = fromBullet(body->m_nodes[i].m_x);
+  }
+}
+
+void BulletWorld::readVelocities(std::vector<Vec3>& velocities_m_s) const {
+  std::size_t vertex = 0;
+  for (const auto& body : bodies_) {
+    for (int i = 0; i < body->m_nodes.size(); ++i)
+      velocities_m_s[vertex++] = fromBullet(body->m_nodes[i].m_v);
+  }
+}
+
+void BulletWorld::writePositions(const std::vector<Vec3>& positions_m) {
+  std::size_t vertex = 0;
+  for (const auto& body : bodies_) {
+    for (int i = 0; i < body->m_nodes.size(); ++i) body->m_nodes[i].m_x = toBullet(positions_m[vertex++]);
+  }
+}
+
+std::vector<double> BulletWorld::inverseMasses() const {
+  std::vector<double> inverse_masses;
+  for (const auto& body : bodies_) {
+    for (int i = 0; i < body->m_nodes.size(); ++i) inverse_masses.push_back(body->m_nodes[i].m_im);
+  }
+  return inverse_masses;
+}
+
+}  // namespace fissure

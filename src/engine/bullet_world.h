@@ -1,0 +1,76 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletSoftBody/btDefaultSoftBodySolver.h>
+#include <BulletSoftBody/btSoftBodyRigidBodyCollisionConfiguration.h>
+#include <BulletSoftBody/btSoftRigidDynamicsWorld.h>
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/scene.h"
+#include "engine/ground.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// Bullet's soft-body solver with two things of ours: the ground's contacts before its solve, and a stage
+/// after it. Steps with the exact time step, where Bullet's world hands over a float.
+class StagedSoftBodySolver : public btDefaultSoftBodySolver {
+ public:
+  StagedSoftBodySolver(double step_s, Ground* ground) : step_s_(step_s), ground_(ground) {}
+  void setAfterSolve(std::function<void()> stage) { after_solve_ = std::move(stage); }
+  void predictMotion(btScalar step_s) override;
+  void solveConstraints(btScalar step_s) override;
+
+ private:
+  double step_s_;
+  Ground* ground_;  ///< null: no ground
+  std::function<void()> after_solve_;
+};
+
+/// Bullet's world with a stop-watch on its collision stage.
+class TimedWorld : public btSoftRigidDynamicsWorld {
+ public:
+  using btSoftRigidDynamicsWorld::btSoftRigidDynamicsWorld;
+  void performDiscreteCollisionDetection() override;
+  double detection_us = 0;  ///< of the last step
+};
+
+/// The soft bodies and the ground of a scenario in a Bullet world. Pipelines add their tools and stages to
+/// it.
+class BulletWorld {
+ public:
+  /// `configuration` null: Bullet's own collision detection for soft bodies.
+  BulletWorld(const Scenario& scenario, const PipelineSettings& pipeline, const Scene& scene,
+              std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> configuration);
+  ~BulletWorld();
+
+  void step();
+
+  TimedWorld& world() { return *world_; }
+  StagedSoftBodySolver& solver() { return *solver_; }
+  const std::vector<std::unique_ptr<btSoftBody>>& bodies() const { return bodies_; }
+
+  /// Copies between Bullet's vertices and arrays over all bodies (sizes: the scene's vertex count).
+  void readPositions(std::vector<Vec3>& positions_m) const;
+  void readVelocities(std::vector<Vec3>& velocities_m_s) const;
+  void writePositions(const std::vector<Vec3>& positions_m);
+  std::vector<double> inverseMasses() const;
+
+ private:
+  double step_s_;
+  std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> configuration_;
+  std::unique_ptr<btCollisionDispatcher> dispatcher_;
+  std::unique_ptr<btDbvtBroadphase> broadphase_;
+  std::unique_ptr<btSequentialImpulseConstraintSolver> rigid_solver_;
+  std::unique_ptr<Ground> ground_;
+  std::unique_ptr<StagedSoftBodySolver> solver_;
+  std::unique_ptr<TimedWorld> world_;
+  std::vector<std::unique_ptr<btSoftBody>> bodies_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,79 @@
+#include <chrono>
+
+#include "contact/node_contact.h"
+#include "engine/pipeline.h"
+
+namespace fissure {
+
+namespace {
+
+NodeContactSettings contactSettings(const PipelineContext& context) {
+  NodeContactSettings settings{.association = context.settings.pipeline != "raycast",
+                               .sweeps = context.settings.sweeps,
+                               .ray_length_m = context.settings.ray_length_m,
+                               .max_displacement_m = context.settings.max_displacement_m,
+                               .margins_m = {}};
+  for (const BodySettings& body : context.scenario.bodies) settings.margins_m.push_back(body.margin_m);
+  return settings;
+}
+
+/// The paper's method after Bullet's own solve; the tools are no bodies of Bullet's world.
+class NodePipeline : public Pipeline {
+ public:
+  explicit NodePipeline(const PipelineContext& context)
+      : world_(context.world),
+        step_s_(context.scenario.time.step_s),
+        contact_(context.scene, contactSettings(context)),
+        inverse_masses_(context.world.inverseMasses()),
+        positions_m_(context.scene.vertexCount()) {
+    patch_.resize(context.scene.vertexCount(), context.scene.faceCount());
+    world_.solver().setAfterSolve([this] { afterSolve(); });
+  }
+
+  void moveTools(const std::vector<ToolState>& before, const std::vector<ToolState>& now) override {
+    before_ = before;
+    now_ = now;
+  }
+
+  void report(State& state, ContactPatch& patch) override {
+    state.node_states = counts_.node_states;
+    state.candidate_count = counts_.candidate_count;
+    state.infeasible_count = counts_.infeasible_count;
+    state.contact_count = counts_.contact_count;
+    state.capped_count = counts_.capped_count;
+    state.reaction_on_tool_N = counts_.reaction_on_tool_N;
+    state.timing.collision_us = counts_.timing.collision_us;
+    std::swap(patch, patch_);
+  }
+
+  Summary counters() const override {
+    return {{"rays", contact_.rays()}, {"ray_triangle_tests", contact_.rayTests()}};
+  }
+
+ private:
+  void afterSolve() {
+    const auto start = std::chrono::steady_clock::now();
+    world_.readPositions(positions_m_);
+    contact_.step(positions_m_, inverse_masses_, before_, now_, step_s_, counts_, patch_);
+    world_.writePositions(positions_m_);
+    counts_.timing.collision_us =
+        std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  }
+
+  BulletWorld& world_;
+  double step_s_;
+  NodeContact contact_;
+  std::vector<double> inverse_masses_;
+  std::vector<Vec3> positions_m_;
+  std::vector<ToolState> before_, now_;
+  State counts_;  ///< only the fields that NodeContact fills
+  ContactPatch patch_;
+};
+
+}  // namespace
+
+std::unique_ptr<Pipeline> makeNodePipeline(const PipelineContext& context) {
+  return std::make_unique<NodePipeline>(context);
+}
+
+}  // namespace fissure

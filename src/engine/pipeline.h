@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/record.h"
+#include "base/state.h"
+#include "contact/contact_patch.h"
+#include "engine/bullet_world.h"
+
+namespace fissure {
+
+/// How tools meet tissue: what a pipeline adds to the world, the same for all else. One object belongs to one
+/// run.
+class Pipeline {
+ public:
+  virtual ~Pipeline() = default;
+  /// Before Bullet's step: the tools move to their poses at its end.
+  virtual void moveTools(const std::vector<ToolState>& before, const std::vector<ToolState>& now) = 0;
+  /// After Bullet's step: contacts, counts, reaction and collision time of the step into `state` and `patch`.
+  virtual void report(State& state, ContactPatch& patch) = 0;
+  virtual Summary counters() const { return {}; }
+};
+
+/// What a pipeline is built from; all references outlive it.
+struct PipelineContext {
+  const Scenario& scenario;
+  const PipelineSettings& settings;
+  const Scene& scene;
+  BulletWorld& world;
+  const std::vector<Pose>& first_poses;
+};
+
+/// A collision pipeline: how its detection in Bullet is set up, and its stage in each step.
+struct PipelineFactory {
+  std::string name;  ///< in catalog().pipelines
+  bool uses_nodes;
+  std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> (*configuration)();  ///< null: Bullet's own
+  std::unique_ptr<Pipeline> (*make)(const PipelineContext& context);
+};
+
+/// The factory of a name; throws std::invalid_argument when there is none.
+const PipelineFactory& pipelineFactory(const std::string& name);
+const std::vector<PipelineFactory>& pipelineFactories();
+
+std::unique_ptr<Pipeline> makeSdfPipeline(const PipelineContext& context);
+std::unique_ptr<Pipeline> makeNodePipeline(const PipelineContext& context);
+std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> makeDelegatingConfiguration();
+
+}  // namespace fissure

@@ -1,0 +1,119 @@
+#include "engine/simulation.h"
+
+#include <stdexcept>
+
+#include "contact/triangle_forces.h"
+#include "engine/pipeline.h"
+
+namespace fissure {
+
+const std::vector<PipelineFactory>& pipelineFactories() {
+  static const std::vector<PipelineFactory> factories = {
+      {"default", false, nullptr, &makeSdfPipeline},
+      {"null", false, &makeDelegatingConfiguration, &makeSdfPipeline},
+      {"raycast", true, nullptr, &makeNodePipeline},
+      {"fukuhara", true, nullptr, &makeNodePipeline},
+  };
+  return factories;
+}
+
+const PipelineFactory& pipelineFactory(const std::string& name) {
+  for (const PipelineFactory& factory : pipelineFactories()) {
+    if (factory.name == name) return factory;
+  }
+  throw std::invalid_argument("no pipeline '" + name + "' in this engine");
+}
+
+bool usesToolNodes(const std::string& pipeline) {
+  return pipelineFactory(pipeline).uses_nodes;
+}
+
+std::vector<std::string> enginePipelines() {
+  std::vector<std::string> names;
+  for (const PipelineFactory& factory : pipelineFactories()) names.push_back(factory.name);
+  return names;
+}
+
+std::string engineVersion() {
+  const int version = btGetVersion();
+  return "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100) +
+         (sizeof(btScalar) == 8 ? ", double precision" : ", single precision");
+}
+
+namespace {
+
+std::vector<std::unique_ptr<ForceLaw>> makeLaws(const std::vector<ForceSettings>& settings) {
+  std::vector<std::unique_ptr<ForceLaw>> laws;
+  for (const ForceSettings& law : settings) {
+    laws.push_back(law.model == "hunt_crossley" ? makeHuntCrossley(law.k, law.lambda, law.n)
+                                                : makeLinearElastic(law.k));
+  }
+  return laws;
+}
+
+class BulletSimulation : public Simulation {
+ public:
+  BulletSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
+                   const std::vector<Pose>& first_poses)
+      : step_s_(scenario.time.step_s) {
+    const PipelineFactory& factory = pipelineFactory(settings.pipeline);
+    world_ = std::make_unique<BulletWorld>(scenario, settings, scene,
+                                           factory.configuration ? factory.configuration() : nullptr);
+    pipeline_ = factory.make({scenario, settings, scene, *world_, first_poses});
+    if (!scenario.force.empty()) forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force));
+    for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
+    patch_.resize(scene.vertexCount(), scene.faceCount());
+    patch_.clear();
+    state_.positions_m.resize(scene.vertexCount());
+    state_.velocities_m_s.resize(scene.vertexCount());
+    for (const double inverse_mass : world_->inverseMasses()) {
+      state_.masses_kg.push_back(inverse_mass > 0 ? 1 / inverse_mass : 0);
+    }
+    state_.node_states.assign(scene.nodeCount(), NodeState::free);
+    state_.forces.assign(scenario.force.size(), ForceSample{});
+    collect();
+  }
+
+  void step(const std::vector<Pose>& poses) override {
+    before_ = state_.tools;
+    for (std::size_t t = 0; t < poses.size(); ++t) {
+      ToolState& tool = state_.tools[t];
+      const Eigen::AngleAxisd turn(poses[t].orientation * tool.pose.orientation.conjugate());
+      tool.velocity_m_s = (poses[t].position_m - tool.pose.position_m) / step_s_;
+      tool.angular_velocity_rad_s = turn.axis() * (turn.angle() / step_s_);
+      tool.pose = poses[t];
+    }
+    pipeline_->moveTools(before_, state_.tools);
+    world_->step();
+    pipeline_->report(state_, patch_);
+    collect();
+    if (forces_) forces_->evaluate(patch_, state_);
+  }
+
+  const State& state() const override { return state_; }
+  Summary counters() const override { return pipeline_->counters(); }
+
+ private:
+  void collect() {
+    world_->readPositions(state_.positions_m);
+    world_->readVelocities(state_.velocities_m_s);
+    state_.vertex_contact = patch_.vertex_contact;
+  }
+
+  double step_s_;
+  std::unique_ptr<BulletWorld> world_;
+  std::unique_ptr<Pipeline> pipeline_;
+  std::unique_ptr<TriangleForces> forces_;
+  std::vector<ToolState> before_;
+  ContactPatch patch_;
+  State state_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
+                                           const Scene& scene, const std::vector<Pose>& first_poses) {
+  return std::make_unique<BulletSimulation>(scenario, pipeline, scene, first_poses);
+}
+
+}  // namespace fissure

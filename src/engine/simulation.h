@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "base/record.h"
+#include "base/scene.h"
+#include "base/state.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// A running world: soft bodies, ground, kinematic tools and one collision pipeline. No Bullet type crosses
+/// this header.
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// Advances by the scenario's time step; `poses` are the tools' at its end. Fills everything of state() but
+  /// step, time_s and timing.step_us.
+  virtual void step(const std::vector<Pose>& poses) = 0;
+  virtual const State& state() const = 0;
+  /// Counts of the detector over the run ("rays", "ray_triangle_tests"), empty for Bullet's own.
+  virtual Summary counters() const = 0;
+};
+
+/// Builds the world of one run with its tools at `first_poses`. Throws std::invalid_argument for a pipeline
+/// that this engine does not have.
+std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
+                                           const Scene& scene, const std::vector<Pose>& first_poses);
+
+/// Does this pipeline put nodes on the tools?
+bool usesToolNodes(const std::string& pipeline);
+
+/// Names of the pipelines this engine can build; a test says they are the catalog's.
+std::vector<std::string> enginePipelines();
+
+/// "Bullet 3.24, double precision".
+std::string engineVersion();
+
+}  // namespace fissure

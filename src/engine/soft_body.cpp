@@ -1,0 +1,108 @@
+#include "engine/soft_body.h"
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "engine/convert.h"
+
+namespace fissure {
+
+namespace {
+
+btScalar scalar(double value) {
+  return static_cast<btScalar>(value);
+}
+
+/// Edges in the order in which CreateFromTriMesh meets them: (2,0), (0,1), (1,2) of each triangle, each once.
+void appendMeshLinks(btSoftBody& body, const TriangleMesh& rest) {
+  std::set<std::pair<int, int>> seen;
+  for (const Face& face : rest.faces) {
+    for (int j = 2, k = 0; k < 3; j = k++) {
+      if (seen.insert(std::minmax(face[j], face[k])).second) body.appendLink(face[j], face[k]);
+    }
+    body.appendFace(face[0], face[1], face[2]);
+  }
+}
+
+/// Links between all vertices whose shortest way over links has exactly `distance` steps, ordered as
+/// btSoftBody::generateBendingConstraints orders them: by the lower, then by the higher vertex.
+void appendBendingLinks(btSoftBody& body, int distance) {
+  const int vertices = body.m_nodes.size();
+  std::vector<std::vector<int>> neighbours(vertices);
+  for (int i = 0; i < body.m_links.size(); ++i) {
+    const int a = static_cast<int>(body.m_links[i].m_n[0] - &body.m_nodes[0]);
+    const int b = static_cast<int>(body.m_links[i].m_n[1] - &body.m_nodes[0]);
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  }
+  std::vector<int> visited_from(vertices, -1);
+  for (int start = 0; start < vertices; ++start) {
+    std::vector<int> ring = {start};
+    visited_from[start] = start;
+    for (int step = 0; step < distance; ++step) {
+      std::vector<int> next;
+      for (const int vertex : ring) {
+        for (const int neighbour : neighbours[vertex]) {
+          if (visited_from[neighbour] == start) continue;
+          visited_from[neighbour] = start;
+          next.push_back(neighbour);
+        }
+      }
+      ring = std::move(next);
+    }
+    std::sort(ring.begin(), ring.end());
+    for (const int end : ring) {
+      if (end <= start) continue;
+      body.appendLink(end, start, body.m_materials[0]);
+      body.m_links[body.m_links.size() - 1].m_bbending = 1;
+    }
+  }
+}
+
+void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
+                         double kinematic_hardness) {
+  config.kVCF = scalar(solver.velocity_correction);
+  config.kDP = scalar(solver.damping);
+  config.kDG = scalar(solver.drag);
+  config.kLF = scalar(solver.lift);
+  config.kPR = scalar(solver.pressure);
+  config.kVC = scalar(solver.volume_conservation);
+  config.kDF = scalar(solver.dynamic_friction);
+  config.kMT = scalar(solver.pose_matching);
+  config.kCHR = scalar(solver.rigid_hardness);
+  config.kKHR = scalar(kinematic_hardness);
+  config.kSHR = scalar(solver.soft_hardness);
+  config.kAHR = scalar(solver.anchor_hardness);
+  config.maxvolume = scalar(solver.max_volume);
+  config.timescale = scalar(solver.time_scale);
+  config.viterations = solver.velocity_iterations;
+  config.piterations = solver.position_iterations;
+  config.diterations = solver.drift_iterations;
+}
+
+}  // namespace
+
+std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const TriangleMesh& rest,
+                                         const BodySettings& settings, double kinematic_hardness) {
+  std::vector<btVector3> vertices;
+  for (const Vec3& v : rest.vertices_m) vertices.push_back(toBullet(v));
+  auto body =
+      std::make_unique<btSoftBody>(&world_info, static_cast<int>(vertices.size()), vertices.data(), nullptr);
+  btSoftBody::Material& material = *body->m_materials[0];
+  material.m_kLST = scalar(settings.material.linear_stiffness);
+  material.m_kAST = scalar(settings.material.angular_stiffness);
+  material.m_kVST = scalar(settings.material.volume_stiffness);
+  appendMeshLinks(*body, rest);
+  if (settings.randomize_links) body->randomizeConstraints();
+  if (settings.bending_distance > 1) appendBendingLinks(*body, settings.bending_distance);
+  applySolverSettings(body->m_cfg, settings.solver, kinematic_hardness);
+  body->getCollisionShape()->setMargin(scalar(settings.margin_m));
+  body->setTotalMass(scalar(settings.mass_kg), settings.mass_from_faces);
+  body->setPose(settings.pose_volume, settings.pose_frame);
+  body->setActivationState(DISABLE_DEACTIVATION);
+  return body;
+}
+
+}  // namespace fissure

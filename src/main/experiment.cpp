@@ -1,0 +1,102 @@
+#include "main/experiment.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "base/error.h"
+#include "process/engine_program.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+void refuseInputsAsOutput(const LoadedScenario& loaded, const fs::path& output) {
+  for (const fs::path& input : loaded.inputs) {
+    std::error_code missing;
+    if (fs::equivalent(input, output, missing))
+      throw InputError(output.string() +
+                       ": is an input of the scenario, expected another name for the result");
+  }
+}
+
+void writeText(const fs::path& file, const std::string& text) {
+  std::ofstream stream(file, std::ios::binary);
+  stream << text;
+  if (!stream.flush()) throw RunError(file.string() + ": cannot write, is the disk full?");
+}
+
+/// What a worker that ended well says about its run.
+RunStatus statusIn(const fs::path& part, const std::string& name) {
+  try {
+    for (const PipelineResult& result : readResultInfo(part).pipelines)
+      if (result.name == name && (result.status.status == "ok" || result.status.status == "non_finite"))
+        return result.status;
+  } catch (const std::runtime_error& error) {
+    return {"failed", std::string("the worker left no whole part: ") + error.what()};
+  }
+  return {"failed", "the worker ended without finishing its part"};
+}
+
+}  // namespace
+
+Experiment::Experiment(CheckedScenario checked, const fs::path& output, bool replace)
+    : checked_(std::move(checked)), output_(output), open_(checked_.loaded.scenario.pipelines.size()) {
+  refuseInputsAsOutput(checked_.loaded, output);
+  slot_ = std::make_unique<OutputSlot>(output, replace);
+  writeText(resolvedFile(), checked_.loaded.resolved);
+  for (const PipelineSettings& pipeline : checked_.loaded.scenario.pipelines)
+    results_.push_back({pipeline, {}, {}});
+}
+
+fs::path Experiment::partOf(std::size_t index) const {
+  return slot_->parts() / (std::to_string(index) + ".part");
+}
+
+std::vector<WorkerTask> Experiment::tasks() const {
+  std::vector<WorkerTask> tasks;
+  for (std::size_t i = 0; i < results_.size(); ++i)
+    tasks.push_back(engineTask(
+        {resolvedFile(), fs::absolute(checked_.loaded.scenario.directory), results_[i].pipeline, partOf(i)}));
+  return tasks;
+}
+
+void Experiment::noteStart() {
+  if (start_) return;
+  start_ = std::chrono::steady_clock::now();
+  times_.started = std::chrono::system_clock::now();
+}
+
+void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
+  PartResult& result = results_[index];
+  result.status = status.status == "ok" ? statusIn(partOf(index), result.pipeline.name) : status;
+  if (result.status.status == "ok" || result.status.status == "non_finite") {
+    result.part = partOf(index);
+  } else {
+    std::error_code ignored;
+    fs::remove(partOf(index), ignored);  // runs are deterministic: half of one is worth no disk space
+  }
+  --open_;
+}
+
+bool Experiment::worthKeeping() const {
+  const auto interrupted = [](const PartResult& result) { return result.status.status == "interrupted"; };
+  const auto finished = [](const PartResult& result) { return result.part.has_value(); };
+  return std::none_of(results_.begin(), results_.end(), interrupted) ||
+         std::any_of(results_.begin(), results_.end(), finished);
+}
+
+void Experiment::close(const std::string& command_line) {
+  noteStart();  // where no worker could be started
+  times_.ended = std::chrono::system_clock::now();
+  times_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - *start_).count();
+  if (worthKeeping()) {
+    assembleResult(output_, checked_.loaded, collectProvenance(checked_.loaded, command_line, times_),
+                   results_);
+    info_ = readResultInfo(output_);
+  }
+  slot_.reset();
+}
+
+}  // namespace fissure

@@ -1,0 +1,73 @@
+// The front program: verbs, exit codes, and the only place that prints errors.
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "base/error.h"
+#include "main/build_info.h"
+#include "main/exit_codes.h"
+#include "main/one_line.h"
+#include "main/provenance.h"
+#include "main/verbs.h"
+
+namespace {
+
+using namespace fissure;
+
+/// A closed pipe or a file size limit becomes a failed write, and the ends of workers are seen, whatever was
+/// inherited.
+void setSignals() {
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGCHLD, SIG_DFL);
+}
+
+int runVerb(const std::vector<Verb>& verbs) {
+  int code = exit_usage;
+  for (const Verb& verb : verbs)
+    if (verb.command->parsed()) code = verb.action();
+  if (!std::cout.flush()) throw RunError("standard output: cannot write");
+  return code;
+}
+
+int fail(int code, const std::string& message) {
+  std::cerr << oneLine(message) << std::endl;
+  return code;
+}
+
+int start(int argc, char** argv) {
+  CLI::App app("fissure: batch experiments in soft-rigid contact with thin surgical tools", "fissure");
+  app.set_version_flag("--version", "fissure " + buildInfo().version + " (" + buildInfo().commit + ")");
+  app.require_subcommand(1);
+  app.footer(
+      "Exit codes: 0 done and good, 1 a comparison failed, 2 bad input or usage, 3 a run failed, 130 "
+      "interrupted.");
+  const std::string command_line = commandLine(argc, argv);
+  const std::vector<Verb> verbs = {addRun(app, command_line), addPlan(app), addValidate(app), addList(app),
+                                   addInfo(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& help) {
+    return app.exit(help);
+  } catch (const CLI::ParseError& error) {
+    return fail(exit_usage, "fissure: " + std::string(error.what()) + " (see fissure --help)");
+  }
+  return runVerb(verbs);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    setSignals();
+    return start(argc, argv);
+  } catch (const InputError& error) {
+    return fail(exit_usage, error.what());
+  } catch (const RunError& error) {
+    return fail(exit_run_failed, error.what());
+  } catch (const std::exception& error) {
+    return fail(exit_run_failed, "fissure: " + std::string(error.what()));
+  }
+}

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+#include "process/progress.h"
+
+namespace fissure {
+
+/// One run as a progress line shows it.
+struct RunProgress {
+  enum class Phase { waiting, running, ended };
+  std::string name;
+  Phase phase = Phase::waiting;
+  Progress progress;  ///< `steps` is known from the start
+};
+
+/// One line about `runs` after `elapsed_s`: percent of each running one, runs done, steps a second, time
+/// left.
+std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s);
+
+/// Shows how far a batch is: on a terminal one line that is rewritten and cleared at the end, elsewhere a
+/// plain line at most every five seconds.
+class ProgressDisplay {
+ public:
+  /// `descriptor`: of the terminal or file behind `stream`, to ask it for its width.
+  ProgressDisplay(std::ostream& stream, int descriptor);
+  ~ProgressDisplay() { clear(); }
+  ProgressDisplay(const ProgressDisplay&) = delete;
+  ProgressDisplay& operator=(const ProgressDisplay&) = delete;
+
+  /// Call as often as you like.
+  void update(const std::vector<RunProgress>& runs);
+  /// Takes the line off the terminal, before something else is printed.
+  void clear();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  std::ostream& stream_;
+  int descriptor_;
+  bool terminal_;
+  bool shown_ = false;
+  Clock::time_point start_;
+  Clock::time_point next_;
+};
+
+}  // namespace fissure

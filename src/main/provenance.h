@@ -1,0 +1,26 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "scenario/load.h"
+#include "store/result_file.h"
+
+namespace fissure {
+
+/// The command line as a result file records it: words quoted where a shell needs it, and of absolute paths
+/// only the file name, so that no machine's folders are published with a result.
+std::string commandLine(int argc, const char* const* argv);
+
+/// When a batch of runs was made.
+struct RunTimes {
+  std::chrono::system_clock::time_point started;
+  std::chrono::system_clock::time_point ended;
+  double wall_s = 0;
+};
+
+/// Everything about program, machine and input that may explain a result; no user and no host name.
+Provenance collectProvenance(const LoadedScenario& loaded, const std::string& command_line,
+                             const RunTimes& times);
+
+}  // namespace fissure

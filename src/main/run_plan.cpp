@@ -1,0 +1,71 @@
+#include "main/run_plan.h"
+
+#include <cmath>
+
+#include "measure/probes.h"
+#include "run/build_scene.h"
+
+namespace fissure {
+
+namespace {
+
+constexpr double slack =
+    1e-9;  // of a step or an interval, for times that rounding made a little too long or short
+
+/// The engine decides the same by its table of factories; a test of the programs compares the two.
+bool usesNodes(const PipelineSettings& pipeline) {
+  return pipeline.pipeline == "raycast" || pipeline.pipeline == "fukuhara";
+}
+
+/// How often an interval is due: in the first step, then at most once a step.
+std::int64_t dueCount(const CheckedScenario& checked, double every_s) {
+  const double step_s = checked.loaded.scenario.time.step_s;
+  const double end_s = static_cast<double>(checked.steps) * step_s;
+  return 1 + std::llround(std::floor(end_s / std::max(every_s, step_s) + slack));
+}
+
+double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
+  double row_bytes = 0;
+  for (const Series& series : layout.series())
+    row_bytes += static_cast<double>(series.columns) * (series.type == ValueType::flag ? 1 : 8);
+  return row_bytes * static_cast<double>(checked.steps + 1);
+}
+
+RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const Scene scene = buildScene(scenario, usesNodes(pipeline));
+  RecordLayout layout;
+  layout.add({"time", "s", "simulated time", ValueType::real, {}});
+  for (const auto& probe : makeProbes(scenario, pipeline, scene)) probe->declare(layout);
+
+  RunPlan plan;
+  plan.pipeline = &pipeline;
+  plan.settling_steps = std::llround(std::ceil(scenario.time.settle_s / scenario.time.step_s - slack));
+  plan.steps = checked.steps;
+  plan.nodes = scene.nodeCount();
+  for (const Series& series : layout.series()) plan.series.push_back(series.name);
+  plan.record_bytes = recordBytes(checked, layout);
+  if (scenario.record.snapshots_every_s) {
+    plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
+    const double one =
+        8.0 + 25.0 * scene.vertexCount() + 1.0 * scene.nodeCount();  // time, positions and states
+    plan.snapshot_bytes = one * static_cast<double>(plan.snapshots);
+  }
+  if (scenario.record.frames) {
+    plan.frames = dueCount(checked, scenario.record.frames->every_s);
+    const double one = 3.0 * scenario.record.frames->width_px * scenario.record.frames->height_px;
+    plan.frame_bytes = one * static_cast<double>(plan.frames);
+  }
+  return plan;
+}
+
+}  // namespace
+
+std::vector<RunPlan> planRuns(const CheckedScenario& checked) {
+  std::vector<RunPlan> plans;
+  for (const PipelineSettings& pipeline : checked.loaded.scenario.pipelines)
+    plans.push_back(planRun(checked, pipeline));
+  return plans;
+}
+
+}  // namespace fissure

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "main/scenario_input.h"
+
+namespace fissure {
+
+/// The options of all verbs that take scenarios.
+struct ScenarioOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> pipelines;
+  std::vector<std::string> overrides;
+  bool no_frames = false;
+
+  Selection selection() const { return {pipelines, overrides, !no_frames}; }
+};
+
+/// Adds SCENARIO..., --pipeline, --set and --no-frames; `options` must outlive `command`.
+void addScenarioOptions(CLI::App& command, ScenarioOptions& options);
+
+}  // namespace fissure

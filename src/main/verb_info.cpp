@@ -1,0 +1,61 @@
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+#include "main/exit_codes.h"
+#include "main/result_json.h"
+#include "main/result_table.h"
+#include "main/verbs.h"
+
+namespace fissure {
+
+namespace {
+
+struct InfoOptions {
+  std::string file;
+  bool json = false;
+};
+
+std::string shapeText(const std::vector<unsigned long long>& shape) {
+  std::string text;
+  for (const unsigned long long size : shape) text += (text.empty() ? "" : " x ") + std::to_string(size);
+  return text.empty() ? "scalar" : text;
+}
+
+void printText(const ResultInfo& info) {
+  std::cout << info.title << "\n"
+            << info.format << ", version " << info.format_version << (info.complete ? "" : ", not complete")
+            << "\n\n"
+            << resultTable(info.pipelines) << "\nprovenance\n";
+  for (const auto& [name, value] : info.provenance)
+    std::cout << "  " << std::left << std::setw(18) << name << value << "\n";
+  std::cout << "\ndatasets\n";
+  std::size_t width = 0;
+  for (const DatasetInfo& dataset : info.datasets) width = std::max(width, dataset.path.size());
+  for (const DatasetInfo& dataset : info.datasets) {
+    std::cout << "  " << std::left << std::setw(static_cast<int>(width)) << dataset.path << "  "
+              << std::setw(4) << dataset.type << "  " << shapeText(dataset.shape);
+    std::cout << (dataset.units.empty() ? "" : "  " + dataset.units) << "\n";
+  }
+}
+
+int showResult(const InfoOptions& options) {
+  const ResultInfo info = readResultInfo(options.file);
+  if (options.json)
+    std::cout << jsonText(resultJson(options.file, info));
+  else
+    printText(info);
+  return exit_good;
+}
+
+}  // namespace
+
+Verb addInfo(CLI::App& app) {
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = app.add_subcommand("info", "what a result file holds and where it comes from");
+  command->add_option("FILE", options->file, "result file")->required();
+  command->add_flag("--json", options->json, "the same for machines");
+  return {command, [options] { return showResult(*options); }};
+}
+
+}  // namespace fissure

@@ -1,0 +1,41 @@
+#include <array>
+#include <iomanip>
+#include <iostream>
+#include <string_view>
+#include <utility>
+
+#include "main/exit_codes.h"
+#include "main/verbs.h"
+#include "scenario/catalog.h"
+
+namespace fissure {
+
+namespace {
+
+int listCatalog() {
+  const Catalog& tables = catalog();
+  using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
+  const std::array<Table, 9> named = {{{"pipelines", tables.pipelines},
+                                       {"force laws", tables.force_laws},
+                                       {"body shapes", tables.body_shapes},
+                                       {"tool shapes", tables.tool_shapes},
+                                       {"motions", tables.motions},
+                                       {"timings", tables.timings},
+                                       {"interpolations", tables.interpolations},
+                                       {"settings", tables.settings},
+                                       {"precisions", tables.precisions}}};
+  for (const auto& [title, entries] : named) {
+    std::cout << title << "\n";
+    for (const CatalogEntry& entry : entries)
+      std::cout << "  " << std::left << std::setw(16) << entry.name << "  " << entry.description << "\n";
+  }
+  return exit_good;
+}
+
+}  // namespace
+
+Verb addList(CLI::App& app) {
+  return {app.add_subcommand("list", "what a scenario can choose from"), [] { return listCatalog(); }};
+}
+
+}  // namespace fissure

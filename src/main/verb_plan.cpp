@@ -1,0 +1,88 @@
+#include <array>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+
+#include "main/exit_codes.h"
+#include "main/run_plan.h"
+#include "main/scenario_options.h"
+#include "main/verbs.h"
+#include "mesh/place.h"
+
+namespace fissure {
+
+namespace {
+
+std::string sizeText(double bytes) {
+  constexpr std::array<const char*, 5> units = {"B", "kB", "MB", "GB", "TB"};
+  std::size_t unit = 0;
+  while (bytes >= 1000 && unit + 1 < units.size()) {
+    bytes /= 1000;
+    ++unit;
+  }
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
+  return text.data();
+}
+
+void printScene(const CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
+            << scenario.time.step_s << " s, " << scenario.pipelines.size() << " runs\n";
+  for (const BodySettings& body : scenario.bodies) {
+    const TriangleMesh surface = placeBody(body);
+    std::cout << "  body " << body.name << ": " << surface.faces.size() << " triangles, "
+              << surface.vertices_m.size() << " vertices\n";
+  }
+  for (const ToolSettings& tool : scenario.tools)
+    std::cout << "  tool " << tool.name << ": "
+              << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion")
+              << "\n";
+  if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
+}
+
+/// Only the stages that this run has: what a scenario does not ask for costs nothing.
+void printRun(const Scenario& scenario, const RunPlan& plan) {
+  std::cout << "run " << plan.pipeline->name << " (" << plan.pipeline->pipeline << ", "
+            << plan.pipeline->precision << ", at most " << plan.pipeline->time_limit_s
+            << " s of wall time)\n";
+  if (plan.settling_steps > 0) std::cout << "  settle: " << plan.settling_steps << " steps\n";
+  std::cout << "  simulate: " << plan.steps << " steps\n";
+  if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
+  for (const ForceSettings& law : scenario.force)
+    std::cout << "  force: " << law.name << " (" << law.model << ")\n";
+  std::cout << "  record:";
+  for (const std::string& name : plan.series) std::cout << " " << name;
+  std::cout << "; " << sizeText(plan.record_bytes) << "\n";
+  if (plan.snapshots > 0)
+    std::cout << "  snapshots: " << plan.snapshots << "; " << sizeText(plan.snapshot_bytes) << "\n";
+  if (plan.frames > 0)
+    std::cout << "  frames: " << plan.frames << " of " << scenario.record.frames->width_px << " x "
+              << scenario.record.frames->height_px << " px; " << sizeText(plan.frame_bytes)
+              << " before compression\n";
+}
+
+int printPlans(const ScenarioOptions& options) {
+  for (const std::string& file : options.files) {
+    const CheckedScenario checked = checkScenario(file, options.selection());
+    printScene(checked);
+    double bytes = 0;
+    for (const RunPlan& plan : planRuns(checked)) {
+      printRun(checked.loaded.scenario, plan);
+      bytes += plan.bytes();
+    }
+    std::cout << "result: about " << sizeText(bytes) << "\n";
+  }
+  return exit_good;
+}
+
+}  // namespace
+
+Verb addPlan(CLI::App& app) {
+  const auto options = std::make_shared<ScenarioOptions>();
+  CLI::App* command = app.add_subcommand("plan", "what each run will do and keep, without running it");
+  addScenarioOptions(*command, *options);
+  return {command, [options] { return printPlans(*options); }};
+}
+
+}  // namespace fissure

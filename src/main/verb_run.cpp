@@ -1,0 +1,108 @@
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+#include "base/error.h"
+#include "main/batch.h"
+#include "main/exit_codes.h"
+#include "main/result_json.h"
+#include "main/result_table.h"
+#include "main/scenario_options.h"
+#include "main/verbs.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RunOptions {
+  ScenarioOptions scenarios;
+  std::string output;
+  bool force = false;
+  bool json = false;
+  int slots = 1;
+};
+
+fs::path outputOf(const RunOptions& options, const CheckedScenario& checked) {
+  if (!options.output.empty()) return options.output;
+  return fs::path("results") / (checked.loaded.scenario.name + ".h5");
+}
+
+/// All scenarios are checked before the first file is made, and all files can be written before the first run
+/// starts.
+std::vector<Experiment> prepare(const RunOptions& options) {
+  if (!options.output.empty() && options.scenarios.files.size() > 1)
+    throw InputError("-o " + options.output +
+                     ": names one file for several scenarios, expected one scenario");
+  std::vector<CheckedScenario> checked;
+  for (const std::string& file : options.scenarios.files)
+    checked.push_back(checkScenario(file, options.scenarios.selection()));
+  for (std::size_t i = 0; i < checked.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (outputOf(options, checked[i]) == outputOf(options, checked[j]))
+        throw InputError(checked[i].file.string() + ": is named as " + checked[j].file.string() +
+                         " is, both would write " + outputOf(options, checked[i]).string());
+  std::vector<Experiment> experiments;
+  experiments.reserve(checked.size());
+  for (CheckedScenario& scenario : checked) {
+    const fs::path output = outputOf(options, scenario);
+    experiments.emplace_back(std::move(scenario), output, options.force);
+  }
+  return experiments;
+}
+
+void printText(const std::vector<Experiment>& experiments) {
+  for (const Experiment& experiment : experiments) {
+    const std::string& name = experiment.checked().loaded.scenario.name;
+    if (!experiment.info()) {
+      std::cout << name << ": interrupted before a run was finished, no result\n";
+      continue;
+    }
+    if (experiments.size() > 1) std::cout << name << "\n";
+    std::cout << resultTable(experiment.info()->pipelines) << "result: " << experiment.output().string()
+              << "\n";
+  }
+}
+
+void printJson(const std::vector<Experiment>& experiments, int code) {
+  nlohmann::ordered_json results = nlohmann::ordered_json::array();
+  for (const Experiment& experiment : experiments)
+    if (experiment.info()) results.push_back(resultJson(experiment.output(), *experiment.info()));
+  std::cout << jsonText({{"exit_code", code}, {"results", results}});
+}
+
+int runScenarios(const RunOptions& options, const std::string& command_line) {
+  Interrupt interrupt;  // before the first file is made, so that none is left behind
+  std::vector<Experiment> experiments = prepare(options);
+  ProgressDisplay display(std::cerr, STDERR_FILENO);
+  Batch batch(experiments, command_line, display);
+  batch.run(options.slots, interrupt);
+  const int code = batch.exitCode();
+  if (options.json)
+    printJson(experiments, code);
+  else
+    printText(experiments);
+  return code;
+}
+
+}  // namespace
+
+Verb addRun(CLI::App& app, const std::string& command_line) {
+  const auto options = std::make_shared<RunOptions>();
+  CLI::App* command = app.add_subcommand("run", "simulate scenarios and write one result file for each");
+  addScenarioOptions(*command, options->scenarios);
+  command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5");
+  command->add_flag("--force", options->force, "replace an existing result");
+  command
+      ->add_option("-j,--jobs", options->slots,
+                   "runs side by side; more than one disturbs the measured times")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_flag("--json", options->json, "the table for machines, on standard output");
+  return {command, [options, command_line] { return runScenarios(*options, command_line); }};
+}
+
+}  // namespace fissure

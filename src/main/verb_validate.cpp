@@ -1,0 +1,37 @@
+#include <iostream>
+#include <memory>
+
+#include "base/error.h"
+#include "main/exit_codes.h"
+#include "main/one_line.h"
+#include "main/scenario_options.h"
+#include "main/verbs.h"
+
+namespace fissure {
+
+namespace {
+
+int validateScenarios(const ScenarioOptions& options) {
+  int code = exit_good;
+  for (const std::string& file : options.files) {
+    try {
+      checkScenario(file, options.selection());
+      std::cout << file << ": ok\n";
+    } catch (const InputError& error) {
+      std::cerr << oneLine(error.what()) << std::endl;
+      code = exit_usage;
+    }
+  }
+  return code;
+}
+
+}  // namespace
+
+Verb addValidate(CLI::App& app) {
+  const auto options = std::make_shared<ScenarioOptions>();
+  CLI::App* command = app.add_subcommand("validate", "check scenarios without simulating");
+  addScenarioOptions(*command, *options);
+  return {command, [options] { return validateScenarios(*options); }};
+}
+
+}  // namespace fissure

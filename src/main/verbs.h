@@ -1,0 +1,22 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+
+namespace fissure {
+
+/// One verb of the command line: its subcommand, and what to do when it was given; returns the exit code.
+struct Verb {
+  CLI::App* command = nullptr;
+  std::function<int()> action;
+};
+
+/// `command_line`: as provenance records it.
+Verb addRun(CLI::App& app, const std::string& command_line);
+Verb addPlan(CLI::App& app);
+Verb addValidate(CLI::App& app);
+Verb addList(CLI::App& app);
+Verb addInfo(CLI::App& app);
+
+}  // namespace fissure

@@ -1,0 +1,47 @@
+#include "measure/body_probe.h"
+
+#include <algorithm>
+
+#include "measure/statistics.h"
+#include "mesh/check.h"
+
+namespace fissure {
+
+void BodyProbe::declare(RecordLayout& layout) {
+  energy_column_ = layout.add({.name = "kinetic_energy",
+                               .units = "J",
+                               .long_name = "kinetic energy of all tissue vertices",
+                               .axes = {}});
+  layout.addAxis(xyzAxis());
+  momentum_column_ = layout.add({.name = "momentum",
+                                 .units = "kg m s-1",
+                                 .long_name = "linear momentum of all tissue vertices, scene frame",
+                                 .axes = {"xyz"}});
+  RecordAxis body_axis{"body", {}};
+  for (const SceneBody& body : bodies_) body_axis.labels.push_back(body.name);
+  layout.addAxis(body_axis);
+  volume_column_ = layout.add({.name = "volume",
+                               .units = "m3",
+                               .long_name = "volume inside the surface, negative when inside out",
+                               .axes = {"body"}});
+}
+
+void BodyProbe::sample(const State& state, RecordRow& row) {
+  double energy_J = 0;
+  Vec3 momentum = Vec3::Zero();
+  for (std::size_t i = 0; i < state.masses_kg.size(); ++i) {
+    energy_J += 0.5 * state.masses_kg[i] * state.velocities_m_s[i].squaredNorm();
+    momentum += state.masses_kg[i] * state.velocities_m_s[i];
+  }
+  row[energy_column_] = energy_J;
+  writeVector(momentum, momentum_column_, row);
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    std::vector<Vec3>& vertices = bodies_[b].rest.vertices_m;
+    std::copy_n(state.positions_m.begin() + bodies_[b].first_vertex, vertices.size(), vertices.begin());
+    row[volume_column_ + b] = signedVolume_m3(bodies_[b].rest);
+  }
+}
+
+void BodyProbe::summarize(Summary&) const {}
+
+}  // namespace fissure

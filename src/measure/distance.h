@@ -1,0 +1,21 @@
+#pragma once
+
+#include <limits>
+
+#include "measure/surface_tree.h"
+
+namespace fissure {
+
+/// Squared distance from a point to a triangle (any shape, also without area), in the square of their unit.
+double distanceSquared(const TreeTriangle& triangle, const Vec3& point);
+
+/// What a caller of distance_m needs to know: a search may stop early.
+struct DistanceSearch {
+  double limit_m = std::numeric_limits<double>::infinity();  ///< farther surfaces give infinity
+  double enough_m = -1;  ///< once something this near is found, any distance up to this may be returned
+};
+
+/// Distance from a point (tree's frame, metres) to the surface, unsigned.
+double distance_m(const SurfaceTree& tree, const Vec3& point, const DistanceSearch& search = {});
+
+}  // namespace fissure

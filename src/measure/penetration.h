@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/state.h"
+#include "measure/passage.h"
+#include "measure/surface_tree.h"
+#include "measure/tool_samples.h"
+#include "measure/tool_shape.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// Farther apart than this, tool and tissue have no stand-off.
+inline constexpr double kStandOffLimit_m = 0.01;
+/// Coordinates beyond this are not measured: a double there no longer resolves what tools of millimetres do.
+inline constexpr double kCoordinateLimit_m = 1e6;
+
+/// What one step looks like from outside any detector (METHOD section 7).
+struct Penetration {
+  /// The larger of (a) over tool samples inside a body (its winding number above 0.5) the distance to that
+  /// body's surface, (b) over soft vertices inside a tool the distance to the tool's surface. 0 when there
+  /// are none. NaN when a position is not finite or beyond kCoordinateLimit_m.
+  double depth_m = 0;
+  /// Tool samples that have passed right through a body at least once since the start (Passage).
+  long long passed_through = 0;
+  /// Triangles that do not bound their body from outside (countInvertedTriangles); all there are where depth
+  /// is NaN.
+  long long inverted_triangles = 0;
+  /// The smallest distance between a tool sample and a soft surface or a soft vertex and a tool's surface.
+  /// NaN when something penetrates (depth > 0), when tool and tissue are kStandOffLimit_m apart or farther,
+  /// or depth is NaN.
+  double stand_off_m = 0;
+};
+
+/// Measures penetration step by step. The same for every pipeline: it sees positions and tool poses only, not
+/// tool nodes.
+class PenetrationMeter {
+ public:
+  /// Throws InputError for a tool without an inside or a spacing that is too fine.
+  PenetrationMeter(const Scene& scene, const MeasureSettings& settings);
+
+  /// The state of the next step; steps must come in order for passed_through.
+  Penetration measure(const State& state);
+
+  long long sampleCount() const;
+
+ private:
+  struct Body {
+    SurfaceTree surface;
+    std::size_t first_vertex = 0;
+    std::size_t vertex_count = 0;
+  };
+  struct Tool {
+    ToolShape shape;
+    ToolSamples samples;
+    std::vector<Vec3> now;     // the samples in the frame of the surface trees
+    std::vector<Vec3> before;  // and one step before
+    std::vector<std::uint8_t> passed;
+    std::vector<Passage> passages;     // one a body
+    std::vector<std::size_t> deepest;  // one a body: the deepest sample of the last step
+  };
+
+  bool isMeasurable(const State& state) const;
+  std::span<const Vec3> verticesOf(const Body& body, const State& state) const;
+  void moveTo(const State& state);
+  double sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m);
+  double vertexDepth_m(const State& state) const;
+  double standOff_m(const State& state) const;
+
+  std::vector<Body> bodies_;
+  std::vector<Tool> tools_;
+  bool connected_ = false;  // a measurable step came before
+  std::vector<Crossing> crossings_;
+  std::vector<std::size_t> inside_;
+};
+
+}  // namespace fissure

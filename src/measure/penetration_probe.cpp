@@ -1,0 +1,49 @@
+#include "measure/penetration_probe.h"
+
+#include <algorithm>
+
+namespace fissure {
+
+void PenetrationProbe::declare(RecordLayout& layout) {
+  depth_column_ = layout.add({.name = "penetration_depth",
+                              .units = "m",
+                              .long_name = "deepest tool sample in tissue or tissue vertex in a tool",
+                              .axes = {}});
+  passed_column_ =
+      layout.add({.name = "passed_through",
+                  .units = "1",
+                  .long_name = "tool samples that have passed right through a body since the start",
+                  .type = ValueType::count,
+                  .axes = {}});
+  inverted_column_ = layout.add({.name = "inverted_triangles",
+                                 .units = "1",
+                                 .long_name = "tissue triangles that do not bound their body from outside",
+                                 .type = ValueType::count,
+                                 .axes = {}});
+  stand_off_column_ =
+      layout.add({.name = "stand_off",
+                  .units = "m",
+                  .long_name = "distance between tool and tissue while nothing penetrates, up to 10 mm",
+                  .axes = {}});
+}
+
+void PenetrationProbe::sample(const State& state, RecordRow& row) {
+  last_ = meter_.measure(state);
+  sampled_ = true;
+  max_depth_m_.add(last_.depth_m);
+  max_inverted_ = std::max(max_inverted_, last_.inverted_triangles);
+  row[depth_column_] = last_.depth_m;
+  row[passed_column_] = static_cast<double>(last_.passed_through);
+  row[inverted_column_] = static_cast<double>(last_.inverted_triangles);
+  row[stand_off_column_] = last_.stand_off_m;
+}
+
+void PenetrationProbe::summarize(Summary& summary) const {
+  summary.push_back({"max_penetration_depth_m", max_depth_m_.value()});
+  summary.push_back({"final_penetration_depth_m", sampled_ ? last_.depth_m : kMissing});
+  summary.push_back(countOrMissing("passed_through_samples", sampled_, last_.passed_through));
+  summary.push_back(countOrMissing("max_inverted_triangles", sampled_, max_inverted_));
+  summary.push_back({"tool_samples", meter_.sampleCount()});
+}
+
+}  // namespace fissure

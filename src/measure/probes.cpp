@@ -1,0 +1,30 @@
+#include "measure/probes.h"
+
+#include "measure/body_probe.h"
+#include "measure/contact_probe.h"
+#include "measure/final_state_probe.h"
+#include "measure/force_probe.h"
+#include "measure/penetration_probe.h"
+#include "measure/timing_probe.h"
+#include "measure/tool_probe.h"
+
+namespace fissure {
+
+// The pipeline's settings play no part: whether it has tool nodes is in the scene, and nothing else may
+// differ.
+std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const PipelineSettings&,
+                                               const Scene& scene) {
+  std::vector<std::unique_ptr<Probe>> probes;
+  if (!scene.tools.empty()) {
+    probes.push_back(std::make_unique<PenetrationProbe>(scene, scenario.measure));
+    probes.push_back(std::make_unique<ToolProbe>(scene));
+    probes.push_back(std::make_unique<ContactProbe>(scene));
+  }
+  if (!scenario.force.empty()) probes.push_back(std::make_unique<ForceProbe>(scenario.force));
+  probes.push_back(std::make_unique<BodyProbe>(scene));
+  probes.push_back(std::make_unique<TimingProbe>(scenario.time.step_s));
+  probes.push_back(std::make_unique<FinalStateProbe>());
+  return probes;
+}
+
+}  // namespace fissure

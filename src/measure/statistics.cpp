@@ -1,0 +1,49 @@
+#include "measure/statistics.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fissure {
+
+RecordAxis xyzAxis() {
+  return {"xyz", {"x", "y", "z"}};
+}
+
+void writeVector(const Vec3& vector, std::size_t first_column, RecordRow& row) {
+  for (int i = 0; i < 3; ++i) row[first_column + static_cast<std::size_t>(i)] = vector[i];
+}
+
+SummaryValue countOrMissing(const std::string& name, bool counted, long long count) {
+  if (!counted) return {name, kMissing};
+  return {name, count};
+}
+
+void RunningMax::add(double value) {
+  if (!started_ || std::isnan(value) || value > value_) value_ = value;
+  started_ = true;
+}
+
+void Roughness::add(double value) {
+  ++count_;
+  sum_of_squares_ += value * value;
+  if (count_ >= 3) sum_of_squared_differences_ += std::pow(before_last_ - 2 * last_ + value, 2);
+  before_last_ = last_;
+  last_ = value;
+}
+
+double Roughness::value() const {
+  if (count_ < 3 || sum_of_squares_ == 0) return kMissing;
+  const double mean_square = sum_of_squares_ / static_cast<double>(count_);
+  const double mean_square_difference = sum_of_squared_differences_ / static_cast<double>(count_ - 2);
+  return std::sqrt(mean_square_difference / mean_square);
+}
+
+double percentile(std::vector<double> values, double percent) {
+  if (values.empty()) return kMissing;
+  const double rank = std::ceil(percent / 100 * static_cast<double>(values.size()));
+  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(std::max(rank, 1.0)) - 1;
+  std::nth_element(values.begin(), nth, values.end());
+  return *nth;
+}
+
+}  // namespace fissure

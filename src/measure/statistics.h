@@ -1,0 +1,54 @@
+#pragma once
+
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "base/geometry.h"
+#include "base/record.h"
+
+namespace fissure {
+
+inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
+
+/// The axis "xyz" of vectors.
+RecordAxis xyzAxis();
+
+/// Writes x, y, z into three columns of a row.
+void writeVector(const Vec3& vector, std::size_t first_column, RecordRow& row);
+
+/// A count as a scalar of the summary; NaN while nothing was counted, which is not the same as zero.
+SummaryValue countOrMissing(const std::string& name, bool counted, long long count);
+
+/// Largest value of a series. NaN before the first value, and for good after any NaN: a run with an unknown
+/// in it has no known maximum.
+class RunningMax {
+ public:
+  void add(double value);
+  double value() const { return value_; }
+
+ private:
+  double value_ = kMissing;
+  bool started_ = false;
+};
+
+/// Roughness of an evenly sampled series: RMS of its second difference f[i-1] - 2 f[i] + f[i+1] over its own
+/// RMS (METHOD section 4). Both means are over all values there are; NaN with fewer than three, for a series
+/// that is 0 throughout, and after any NaN.
+class Roughness {
+ public:
+  void add(double value);
+  double value() const;
+
+ private:
+  double before_last_ = 0;
+  double last_ = 0;
+  double sum_of_squares_ = 0;
+  double sum_of_squared_differences_ = 0;
+  long long count_ = 0;
+};
+
+/// The smallest of `values` that at least `percent` of them do not exceed (nearest rank); NaN for none.
+double percentile(std::vector<double> values, double percent);
+
+}  // namespace fissure

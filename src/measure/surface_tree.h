@@ -1,0 +1,80 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/geometry.h"
+
+namespace fissure {
+
+/// Corners of a triangle, counter-clockwise seen from outside, in the tree's frame, metres.
+struct TreeTriangle {
+  Vec3 a = Vec3::Zero();
+  Vec3 b = Vec3::Zero();
+  Vec3 c = Vec3::Zero();
+
+  Vec3 doubleAreaNormal() const { return (b - a).cross(c - a); }
+};
+
+/// An axis-aligned box in the tree's frame, metres.
+struct TreeBox {
+  Vec3 low = Vec3::Zero();
+  Vec3 high = Vec3::Zero();
+
+  double distanceSquared(const Vec3& point) const {
+    return (low - point).cwiseMax(point - high).cwiseMax(0.0).squaredNorm();
+  }
+};
+
+/// Nodes are stored depth first: an inner node's children are the next node and that one's `skip`.
+struct TreeNode {
+  int skip = 0;   ///< the first node that is not below this one
+  int first = 0;  ///< of the triangles of a leaf
+  int count = 0;  ///< of the triangles of a leaf; 0: an inner node
+};
+
+/// A triangle surface that moves, with a hierarchy of boxes over its triangles. The hierarchy's shape is made
+/// once; a step only refits the boxes, and allocates nothing. All geometry is kept in the tree's own frame:
+/// the scene's, turned by a fixed rotation under which no direction of ordinary scenes is an axis, so that
+/// rays along its z meet no edge-on triangles of boxes and grids.
+class SurfaceTree {
+ public:
+  /// `mesh` gives the triangles and their first positions; `faces` stay, vertices move. At least one
+  /// triangle.
+  explicit SurfaceTree(const TriangleMesh& mesh);
+
+  /// Moves the vertices (as many as the mesh has, scene frame, metres, finite); the positions before become
+  /// previous().
+  void update(std::span<const Vec3> vertices_m);
+  /// Makes the present positions the previous ones too: the surface has not moved.
+  void forgetMotion();
+
+  /// The rotation from the scene's frame to that of every tree.
+  static const Mat3& frame();
+  static Vec3 toTree(const Vec3& in_scene) { return frame() * in_scene; }
+
+  const std::vector<TreeNode>& nodes() const { return nodes_; }
+  const std::vector<TreeBox>& boxes() const { return boxes_; }  ///< of the present positions, one a node
+  const std::vector<TreeBox>& sweptBoxes() const {
+    return swept_;
+  }  ///< of present and previous positions together
+  const std::vector<TreeTriangle>& triangles() const { return triangles_; }  ///< in the order of the leaves
+  const std::vector<TreeTriangle>& previous() const { return previous_; }
+  const std::vector<int>& faceOfTriangle() const { return face_of_triangle_; }  ///< index in the mesh
+
+ private:
+  void build(int first, int count, std::span<const Vec3> centroids);
+  void gather();
+  void refit();
+
+  std::vector<Face> faces_;  // in the order of the leaves
+  std::vector<int> face_of_triangle_;
+  std::vector<Vec3> vertices_;
+  std::vector<TreeTriangle> triangles_;
+  std::vector<TreeTriangle> previous_;
+  std::vector<TreeNode> nodes_;
+  std::vector<TreeBox> boxes_;
+  std::vector<TreeBox> swept_;
+};
+
+}  // namespace fissure

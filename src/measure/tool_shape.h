@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "base/scene.h"
+#include "measure/surface_tree.h"
+
+namespace fissure {
+
+/// A tool as a solid: how deep inside it, or how far outside, a point is.
+class ToolShape {
+ public:
+  /// Throws InputError when the tool is not a box and its surface is not closed: it has no inside to measure.
+  explicit ToolShape(const SceneTool& tool);
+
+  /// Distance to the tool's surface, metres, for a point in the tool's frame: negative inside, exact on both
+  /// sides. Outside, distances beyond `limit_m` may be given as infinity.
+  double signedDistance_m(const Vec3& in_tool, double limit_m) const;
+
+ private:
+  std::optional<Vec3> half_size_m_;
+  std::optional<SurfaceTree> surface_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "measure/surface_tree.h"
+
+namespace fissure {
+
+/// Generalized winding number of a closed, consistently oriented surface around a point (tree's frame,
+/// metres): 1 inside an outward surface, 0 outside, 2 or more where it overlaps itself, negative where it is
+/// inside out. For a closed surface it is the integer sum of the signs with which a ray to infinity leaves
+/// through the triangles it crosses (Jacobson, Kavan and Sorkine-Hornung 2013). Points on the surface itself
+/// are given to either side. The surface must be closed: else the number depends on the ray.
+int windingNumber(const SurfaceTree& tree, const Vec3& point);
+
+/// The winding number just beneath the centroid of triangle `index` of tree.triangles(), against its normal:
+/// 1 for a triangle of a proper outward surface. In the limit of no distance: no step length enters.
+int windingBeneath(const SurfaceTree& tree, std::size_t index);
+
+/// How many triangles do not bound the body from outside: those whose windingBeneath is not 1, so 0 or less
+/// for a triangle turned inside out (its normal points into the tissue, or it lies in a fold that has come
+/// out on the far side), 2 or more for one buried in other tissue of the same body. Triangles without area
+/// are not counted: they have no inside.
+int countInvertedTriangles(const SurfaceTree& tree);
+
+}  // namespace fissure

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+
+#include "base/geometry.h"
+#include "scenario/motions.h"
+
+namespace fissure {
+
+/// Poses of a device in its own frame, as poses of the tool in the scene:
+///   position = origin_scene_m + scale * R * (p_device - origin_device_m)
+///   orientation = R * q_device * mount
+class DeviceToScene {
+ public:
+  /// `where`: the path of the settings in their file, for messages. Throws InputError unless `axes` are the
+  /// three device axes, with signs, in a right-handed order.
+  DeviceToScene(const DeviceMapping& mapping, const std::string& where);
+
+  Vec3 position_m(const Vec3& device_m) const {
+    return origin_scene_m_ + scale_ * (axes_ * (device_m - origin_device_m_));
+  }
+  Quat orientation(const Quat& device) const { return (rotation_ * device * mount_).normalized(); }
+  /// Of the tool when the device does not say: the mount alone.
+  const Quat& mount() const { return mount_; }
+
+ private:
+  Mat3 axes_;      ///< R: only 0, 1 and -1, so that it rounds nothing
+  Quat rotation_;  ///< R again
+  double scale_;
+  Vec3 origin_device_m_;
+  Vec3 origin_scene_m_;
+  Quat mount_;
+};
+
+}  // namespace fissure

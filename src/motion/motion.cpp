@@ -1,0 +1,26 @@
+#include "motion/motion.h"
+
+#include "motion/replayed_motion.h"
+#include "motion/scripted_motion.h"
+
+namespace fissure {
+namespace {
+
+std::unique_ptr<Motion> make(const ScriptMotion& settings, const std::filesystem::path&,
+                             const std::string& where) {
+  return std::make_unique<ScriptedMotion>(settings, where);
+}
+
+std::unique_ptr<Motion> make(const ReplayMotion& settings, const std::filesystem::path& directory,
+                             const std::string& where) {
+  return std::make_unique<ReplayedMotion>(settings, directory, where);
+}
+
+}  // namespace
+
+std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory) {
+  const std::string where = "tools." + tool.name + ".motion";
+  return std::visit([&](const auto& settings) { return make(settings, directory, where); }, tool.motion);
+}
+
+}  // namespace fissure

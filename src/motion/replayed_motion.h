@@ -1,0 +1,53 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/device_log.h"
+#include "motion/device_to_scene.h"
+#include "motion/motion.h"
+
+namespace fissure {
+
+/// A device log played back in the scene. The rules beyond those of readDeviceLog, each counted in summary():
+///   - scenario time 0 is log time start_s; the replay ends at end_s or with the last sample;
+///   - at the time of a sample the pose is that sample, mapped; between two it is interpolated;
+///   - a gap, two samples more than max_gap_s apart, is held: the pose stays at the earlier sample and jumps
+///   to the
+///     later one at its time, because nobody knows what the hand did meanwhile (replay_gaps). The same before
+///     a first sample and after a last one;
+///   - a step of the device of more than jump_m between two samples (metres, before scaling) is played as it
+///   is
+///     and counted (replay_jumps), and so is a sample equal to the one before it, as a frozen device repeats
+///     them (replay_held_samples).
+/// Counts are of what is replayed: samples (replay_samples), steps and rows between start_s and end_s.
+class ReplayedMotion final : public Motion {
+ public:
+  /// `where`: the path of the settings in their file, for messages. Throws InputError, see makeMotion.
+  ReplayedMotion(const ReplayMotion& settings, const std::filesystem::path& directory,
+                 const std::string& where);
+
+  Pose poseAt(double time_s) const override;
+  double duration_s() const override { return duration_s_; }
+  /// replay_samples, replay_held_samples, replay_gaps, replay_jumps, replay_dropped_rows and
+  /// replay_repeated_rows.
+  Summary summary() const override { return summary_; }
+
+ private:
+  void setWindow(const ReplayMotion& settings, const std::string& file, const std::string& where);
+  void count(const DeviceLog& log, double jump_m);
+  void map(const DeviceLog& log, const DeviceToScene& mapping);
+  void computeSlopes();
+  bool isGap(std::size_t before) const;
+
+  std::vector<double> times_s_;    ///< scenario time; negative before start_s
+  std::vector<Vec3> positions_m_;  ///< scene frame
+  std::vector<Vec3> slopes_m_s_;   ///< empty for linear interpolation
+  std::vector<Quat>
+      orientations_;  ///< scene frame, neighbours of one sign; one for all samples without quaternions
+  double max_gap_s_;
+  double duration_s_ = 0;
+  Summary summary_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "motion/motion.h"
+
+namespace fissure {
+
+/// Waypoints and holds. The path is continuous; at the end of a segment the pose is exactly its target.
+class ScriptedMotion final : public Motion {
+ public:
+  /// `where`: the path of the settings in their file, for messages. Throws InputError for a segment that does
+  /// not say where to or how long: neither speed nor duration, a rotation on the spot without a duration, and
+  /// the like.
+  ScriptedMotion(const ScriptMotion& settings, const std::string& where);
+
+  Pose poseAt(double time_s) const override;
+  double duration_s() const override { return duration_s_; }
+
+ private:
+  struct Piece {
+    double start_s = 0;
+    double duration_s = 0;  ///< > 0
+    Pose from;
+    Pose to;  ///< its quaternion has the sign nearest to that of `from`
+    Timing timing = Timing::constant;
+    double ramp_fraction = 0.25;
+  };
+
+  Pose first_;
+  Pose last_;
+  std::vector<Piece> pieces_;
+  double duration_s_ = 0;
+};
+
+}  // namespace fissure

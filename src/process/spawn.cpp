@@ -1,0 +1,91 @@
+#include "process/spawn.h"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <csignal>
+#include <cstring>
+
+#include "base/error.h"
+
+namespace fissure {
+
+namespace {
+
+struct Pipe {
+  Descriptor reading;
+  Descriptor writing;
+};
+
+Pipe makePipe() {
+  std::array<int, 2> ends = {-1, -1};
+  if (::pipe2(ends.data(), O_CLOEXEC) != 0)
+    throw RunError(std::string("cannot make a pipe: ") + std::strerror(errno));
+  return {Descriptor(ends[0]), Descriptor(ends[1])};
+}
+
+/// Signals as a program expects them at its start, except those that only the front acts on. SIGXFSZ stays as
+/// it is: where it is ignored, a file size limit becomes a failed write with a message.
+void setWorkerSignals() {
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  std::signal(SIGPIPE, SIG_DFL);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) std::signal(number, SIG_IGN);
+}
+
+/// Runs in the child, between fork and exec: system calls only. Returns only when exec failed, with errno
+/// set.
+void becomeWorker(pid_t parent, const Pipe& output, const Pipe& errors, char* const* arguments) {
+  if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
+  if (::getppid() != parent) ::_exit(1);  // it died before the line above
+  const int nothing = ::open("/dev/null", O_RDONLY);
+  if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0) return;
+  if (::dup2(output.writing.number(), STDOUT_FILENO) < 0) return;
+  if (::dup2(errors.writing.number(), STDERR_FILENO) < 0) return;
+  if (::close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC) != 0) return;
+  setWorkerSignals();
+  ::execv(arguments[0], arguments);
+}
+
+}  // namespace
+
+SpawnedProcess spawn(const WorkerTask& task) {
+  std::vector<std::string> words = {task.program.string()};
+  words.insert(words.end(), task.arguments.begin(), task.arguments.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+
+  Pipe output = makePipe();
+  Pipe errors = makePipe();
+  Pipe failure = makePipe();  // closed by a successful exec, else brings errno
+  const pid_t parent = ::getpid();
+  const pid_t process = ::fork();
+  if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
+  if (process == 0) {
+    becomeWorker(parent, output, errors, arguments.data());
+    const int reason = errno;
+    const ssize_t written = ::write(failure.writing.number(), &reason, sizeof reason);
+    ::_exit(written == sizeof reason ? 127 : 126);
+  }
+  failure.writing.reset();
+  int reason = 0;
+  ssize_t got = 0;
+  do got = ::read(failure.reading.number(), &reason, sizeof reason);
+  while (got < 0 && errno == EINTR);
+  if (got == sizeof reason) {
+    ::waitpid(process, nullptr, 0);
+    throw RunError("cannot start " + task.program.filename().string() + ": " + std::strerror(reason));
+  }
+  ::fcntl(output.reading.number(), F_SETFL, O_NONBLOCK);
+  ::fcntl(errors.reading.number(), F_SETFL, O_NONBLOCK);
+  return {process, std::move(output.reading), std::move(errors.reading)};
+}
+
+}  // namespace fissure

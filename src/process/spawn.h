@@ -1,0 +1,21 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include "process/descriptor.h"
+#include "process/worker.h"
+
+namespace fissure {
+
+/// A process just started, with the reading ends of its pipes (non-blocking).
+struct SpawnedProcess {
+  pid_t process = -1;
+  Descriptor output;  ///< its stdout
+  Descriptor errors;  ///< its stderr
+};
+
+/// Forks and executes `task` under the rules in Worker. Throws RunError with the system's reason when it
+/// cannot start.
+SpawnedProcess spawn(const WorkerTask& task);
+
+}  // namespace fissure

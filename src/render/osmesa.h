@@ -1,0 +1,78 @@
+#pragma once
+
+#include <GL/osmesa.h>
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace fissure {
+
+/// The few functions of OpenGL that frames need, looked up at run time: headers give their types, nothing is
+/// linked.
+struct GlFunctions {
+  decltype(&::glBlendEquation) blendEquation = nullptr;
+  decltype(&::glBlendFunc) blendFunc = nullptr;
+  decltype(&::glClear) clear = nullptr;
+  decltype(&::glClearColor) clearColor = nullptr;
+  decltype(&::glColorPointer) colorPointer = nullptr;
+  decltype(&::glCullFace) cullFace = nullptr;
+  decltype(&::glDepthFunc) depthFunc = nullptr;
+  decltype(&::glDepthMask) depthMask = nullptr;
+  decltype(&::glDisable) disable = nullptr;
+  decltype(&::glDrawArrays) drawArrays = nullptr;
+  decltype(&::glEnable) enable = nullptr;
+  decltype(&::glEnableClientState) enableClientState = nullptr;
+  decltype(&::glFinish) finish = nullptr;
+  decltype(&::glGetError) getError = nullptr;
+  decltype(&::glGetIntegerv) getIntegerv = nullptr;
+  decltype(&::glLineStipple) lineStipple = nullptr;
+  decltype(&::glLineWidth) lineWidth = nullptr;
+  decltype(&::glLoadMatrixd) loadMatrixd = nullptr;
+  decltype(&::glMatrixMode) matrixMode = nullptr;
+  decltype(&::glPolygonOffset) polygonOffset = nullptr;
+  decltype(&::glReadPixels) readPixels = nullptr;
+  decltype(&::glVertexPointer) vertexPointer = nullptr;
+  decltype(&::glViewport) viewport = nullptr;
+};
+
+/// One OSMesa context with its own picture of 8 bits RGBA and 24 bits of depth. Owned by one thread.
+class OsMesa {
+ public:
+  /// Loads `library` (kept in memory until the process ends) and makes a context. Throws RunError when that
+  /// library or a function of it is missing, or when it refuses the size.
+  OsMesa(int width_px, int height_px, const std::string& library = "libOSMesa.so.8");
+
+  /// Makes this context the one that gl() acts on. Throws RunError when OSMesa refuses.
+  void makeCurrent();
+  const GlFunctions& gl() const { return gl_; }
+  int width_px() const { return width_px_; }
+  int height_px() const { return height_px_; }
+
+  /// The picture after everything asked for is drawn: 4 bytes a pixel, rows from bottom to top. Throws
+  /// RunError when OpenGL reports an error.
+  std::span<const std::uint8_t> finishedPicture();
+  /// The depth buffer in the same order, 0 (near) to 1 (far).
+  std::vector<float> depths() const;
+
+ private:
+  using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&::OSMesaDestroyContext)>;
+  struct CloseLibrary {
+    void operator()(void* library) const;
+  };
+
+  void loadFunctions(const std::string& library);
+
+  int width_px_ = 0;
+  int height_px_ = 0;
+  std::unique_ptr<void, CloseLibrary> library_;
+  decltype(&::OSMesaMakeCurrent) make_current_ = nullptr;
+  GlFunctions gl_;
+  std::vector<std::uint8_t> rgba_;
+  Context context_{nullptr, nullptr};
+};
+
+}  // namespace fissure

@@ -1,0 +1,149 @@
+#include "run/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "run/build_scene.h"
+
+namespace fissure {
+
+namespace {
+
+constexpr double kTimeSlack =
+    1e-9;  // of a step: what rounding may add to a time that is meant to be a whole number of steps
+
+int firstNonFinite(const std::vector<Vec3>& positions_m) {
+  for (std::size_t i = 0; i < positions_m.size(); ++i) {
+    if (!positions_m[i].allFinite()) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+std::vector<std::string> frameText(const std::string& pipeline, const State& state,
+                                   const RecordLayout& layout, const RecordRow& row) {
+  std::vector<std::string> lines = {pipeline, format("t = %.3f s", state.time_s)};
+  if (const Series* depth = layout.find("penetration_depth")) {
+    lines.push_back(format("depth = %.2f mm", 1000 * row[depth->first_column]));
+  }
+  return lines;
+}
+
+}  // namespace
+
+bool isDue(std::int64_t step, double step_s, double every_s) {
+  if (step == 0) return true;
+  const auto reached = [&](std::int64_t s) {
+    return std::floor(static_cast<double>(s) * step_s / every_s + kTimeSlack);
+  };
+  return reached(step) > reached(step - 1);
+}
+
+Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
+    : scenario_(scenario),
+      pipeline_(pipeline),
+      scene_(buildScene(scenario, usesToolNodes(pipeline.pipeline))) {
+  double longest_s = 0;
+  for (const ToolSettings& tool : scenario.tools) {
+    motions_.push_back(makeMotion(tool, scenario.directory));
+    longest_s = std::max(longest_s, motions_.back()->duration_s());
+  }
+  const double duration_s = scenario.time.duration_s.value_or(longest_s);
+  steps_ = static_cast<std::int64_t>(std::ceil(duration_s / scenario.time.step_s - kTimeSlack));
+  simulation_ = makeSimulation(scenario, pipeline, scene_, posesAt(0));
+}
+
+RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
+  RecordLayout layout;
+  layout.add(
+      {.name = "time", .units = "s", .long_name = "simulated time: step x dt, from the end of settling"});
+  for (const auto& probe : probes) probe->declare(layout);
+  return layout;
+}
+
+std::vector<Pose> Run::posesAt(double time_s) const {
+  std::vector<Pose> poses;
+  for (const auto& motion : motions_) poses.push_back(motion->poseAt(time_s));
+  return poses;
+}
+
+// A copy of the simulation's state, with what the clock and the step number add. False: tissue is no longer
+// finite.
+bool Run::advance(std::int64_t step, State& state) {
+  const double time_s = static_cast<double>(step) * scenario_.time.step_s;
+  const std::vector<Pose> poses = posesAt(time_s);
+  const auto start = std::chrono::steady_clock::now();
+  simulation_->step(poses);
+  const auto end = std::chrono::steady_clock::now();
+  state = simulation_->state();
+  state.step = step;
+  state.time_s = time_s;
+  state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
+  return firstNonFinite(state.positions_m) < 0;
+}
+
+void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames) {
+  std::fill(row.begin(), row.end(), std::numeric_limits<double>::quiet_NaN());
+  row[0] = state.time_s;
+  for (const auto& probe : outputs.probes) probe->sample(state, row);
+  outputs.sink.append(row);
+  const double step_s = scenario_.time.step_s;
+  const RecordSettings& record = scenario_.record;
+  if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
+    outputs.sink.snapshot(state);
+  if (frames && isDue(state.step, step_s, record.frames->every_s)) {
+    outputs.sink.frame(state.time_s,
+                       frames->draw(state, frameText(pipeline_.name, state, outputs.layout, row)));
+  }
+}
+
+RunStatus Run::execute(const Outputs& outputs) {
+  State state;
+  RecordRow row(outputs.layout.columns());
+  RunStatus status;
+  const std::int64_t settling =
+      static_cast<std::int64_t>(std::ceil(scenario_.time.settle_s / scenario_.time.step_s - kTimeSlack));
+  bool finite = true;
+  for (std::int64_t i = 0; i < settling && finite; ++i) finite = advance(0, state);
+  if (settling == 0) state = simulation_->state();
+  state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+  std::unique_ptr<FrameSource> frames;
+  if (scenario_.record.frames) frames = outputs.make_frame_source(state);
+  std::int64_t step = 0;
+  emit(outputs, state, row, frames.get());
+  while (finite && step < steps_) {
+    finite = advance(++step, state);
+    emit(outputs, state, row, frames.get());
+    if (outputs.progress) outputs.progress(step, steps_);
+  }
+
+  Summary summary = {{"steps", static_cast<long long>(step)}, {"engine_version", engineVersion()}};
+  summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
+  if (!finite) {
+    status.status = "non_finite";
+    status.detail = "tissue vertex " + std::to_string(firstNonFinite(state.positions_m)) +
+                    " is no longer finite at step " + std::to_string(step) +
+                    format(" (t = %g s)", state.time_s);
+  }
+  for (const auto& probe : outputs.probes) probe->summarize(summary);
+  for (const SummaryValue& value : simulation_->counters()) summary.push_back(value);
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    for (SummaryValue value : motions_[t]->summary()) {
+      value.name = scenario_.tools[t].name + "_" + value.name;
+      summary.push_back(std::move(value));
+    }
+  }
+  outputs.sink.finish(status, summary);
+  return status;
+}
+
+}  // namespace fissure

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "scenario/catalog.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// Collects problems below one path. NaN fails every check of a number.
+class Checker {
+ public:
+  Checker(std::vector<Problem>& problems, std::string path) : problems_(problems), path_(std::move(path)) {}
+
+  /// For the entry `key` of this one.
+  Checker in(const std::string& key) const { return {problems_, pathOf(key)}; }
+
+  void fail(const std::string& key, const std::string& what) { problems_.push_back({pathOf(key), what}); }
+  void require(bool good, const std::string& key, const std::string& what) {
+    if (!good) fail(key, what);
+  }
+
+  void finite(const std::string& key, double value);
+  void finite(const std::string& key, const Vec3& value);
+  void positive(const std::string& key, double value);                          ///< and finite
+  void positive(const std::string& key, const Vec3& value);                     ///< in all three
+  void notNegative(const std::string& key, double value);                       ///< and finite
+  void between(const std::string& key, double value, double low, double high);  ///< both included
+  void unit(const std::string& key, const Quat& value);                         ///< within 1e-6
+  void oneOf(const std::string& key, const std::string& value, const std::vector<CatalogEntry>& table);
+
+ private:
+  std::string pathOf(const std::string& key) const {
+    return path_.empty() || key.empty() ? path_ + key : path_ + "." + key;
+  }
+
+  std::vector<Problem>& problems_;
+  std::string path_;
+};
+
+// The parts of validate(). Bodies, what surrounds them and what is recorded:
+void checkBody(Checker check, const BodySettings& body);
+void checkTool(Checker check, const ToolSettings& tool);
+void checkPipeline(Checker check, const PipelineSettings& pipeline);
+void checkForce(Checker check, const ForceSettings& force);
+void checkRecord(Checker check, const RecordSettings& record);
+
+/// Time from the first pose to the end of the last segment of a script that checkTool finds good, seconds.
+double scriptDuration(const ScriptMotion& motion);
+
+}  // namespace fissure

@@ -1,0 +1,114 @@
+#pragma once
+
+#include "scenario/fields_world.h"
+
+namespace fissure {
+
+// Continues scenario/fields_world.h: tools with their motions, pipelines, force laws, and the scenario as a
+// whole.
+
+template <class Io>
+void describe(Io& io, MotionSegment& s) {
+  const char* moving = "a segment that moves or rotates";
+  io.field("hold_s", s.hold_s);
+  io.field("move_to_m", s.move_to_m);
+  io.field("rotate_to", s.rotate_to);
+  io.field("speed_m_s", s.speed_m_s);
+  io.field("duration_s", s.duration_s);
+  io.choiceIf(!s.hold_s, moving, "timing", s.timing, catalog().timings);
+  io.fieldIf(!s.hold_s && s.timing == Timing::trapezoidal, "timing trapezoidal", "ramp_fraction",
+             s.ramp_fraction);
+}
+
+template <class Io>
+void describe(Io& io, ScriptMotion& m) {
+  io.required("start_m", m.start_m);
+  io.field("start_orientation", m.start_orientation);
+  io.field("segments", m.segments);
+}
+
+template <class Io>
+void describe(Io& io, DeviceMapping& m) {
+  io.field("axes", m.axes);
+  io.field("scale", m.scale);
+  io.field("origin_device_m", m.origin_device_m);
+  io.field("origin_scene_m", m.origin_scene_m);
+  io.field("mount", m.mount);
+}
+
+template <class Io>
+void describe(Io& io, ReplayMotion& m) {
+  io.required("file", m.file);
+  io.field("time_column", m.time_column);
+  io.field("rate_hz", m.rate_hz);
+  io.field("position_columns", m.position_columns);
+  io.choice("position_unit", m.position_unit, catalog().length_units);
+  io.field("quaternion_columns", m.quaternion_columns);
+  io.field("mapping", m.mapping);
+  io.field("start_s", m.start_s);
+  io.field("end_s", m.end_s);
+  io.choice("interpolation", m.interpolation, catalog().interpolations);
+  io.field("max_gap_s", m.max_gap_s);
+  io.field("jump_m", m.jump_m);
+}
+
+template <class Io>
+void describe(Io& io, NodeSettings& n) {
+  io.field("resolution", n.resolution);
+}
+
+template <class Io>
+void describe(Io& io, ToolSettings& t) {
+  std::variant<BoxShape> shape = t.shape;
+  io.required("name", t.name);
+  io.tagged("shape", shape, catalog().tool_shapes);
+  io.field("nodes", t.nodes);
+  io.field("friction", t.friction);
+  io.tagged("motion", t.motion, catalog().motions);
+  t.shape = std::get<BoxShape>(shape);
+}
+
+template <class Io>
+void describe(Io& io, PipelineSettings& p) {
+  io.nameOr("name", p.name, "pipeline");
+  io.requiredChoice("pipeline", p.pipeline, catalog().pipelines);
+  io.choice("precision", p.precision, catalog().precisions);
+  const bool bullet = !p.usesNodes();
+  const char* bullet_only = "pipelines default and null";
+  const char* rays_only = "pipelines raycast and fukuhara";
+  io.choiceIf(bullet, bullet_only, "settings", p.settings, catalog().settings);
+  io.fieldIf(bullet, bullet_only, "sdf_voxel_m", p.sdf_voxel_m);
+  io.fieldIf(bullet, bullet_only, "kinematic_hardness", p.kinematic_hardness);
+  io.fieldIf(!bullet, rays_only, "ray_length_m", p.ray_length_m);
+  io.fieldIf(!bullet, rays_only, "sweeps", p.sweeps);
+  io.fieldIf(!bullet, rays_only, "max_displacement_m", p.max_displacement_m);
+  io.field("time_limit_s", p.time_limit_s);
+}
+
+template <class Io>
+void describe(Io& io, ForceSettings& f) {
+  const char* viscous_only = "model hunt_crossley";
+  io.nameOr("name", f.name, "model");
+  io.requiredChoice("model", f.model, catalog().force_laws);
+  io.field("k", f.k);
+  io.fieldIf(f.model == "hunt_crossley", viscous_only, "lambda", f.lambda);
+  io.fieldIf(f.model == "hunt_crossley", viscous_only, "n", f.n);
+}
+
+template <class Io>
+void describe(Io& io, Scenario& s) {
+  io.required("format", s.format);
+  io.required("name", s.name);
+  io.text("description", s.description);
+  io.field("time", s.time);
+  io.field("world", s.world);
+  io.field("ground", s.ground);
+  io.required("bodies", s.bodies);
+  io.field("tools", s.tools);
+  io.required("pipelines", s.pipelines);
+  io.field("force", s.force);
+  io.field("record", s.record);
+  io.field("measure", s.measure);
+}
+
+}  // namespace fissure

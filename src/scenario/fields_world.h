@@ -1,0 +1,130 @@
+#pragma once
+
+#include <array>
+
+#include "scenario/catalog.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+// The keys of every map of a scenario file, once, in the order in which they are written. MapReader and
+// MapWriter are the two kinds of Io: what one writes, the other reads.
+//   io.required(key, value)            must be in the file
+//   io.field(key, value)               may be left out: the struct's default, or no value, stands
+//   io.fieldIf(applies, when, key, value)   has a meaning only if `applies`; an error elsewhere
+//   io.choice / io.requiredChoice      a name from a table of the catalog
+//   io.tagged(key, value, table)       a map whose `type` names the alternative
+//   io.nameOr(key, value, other_key)   a name that may be left out: then what `other_key` says
+
+template <class Io>
+void describe(Io& io, SphereShape& s) {
+  io.required("radius_m", s.radius_m);
+  io.field("subdivisions", s.subdivisions);
+}
+
+template <class Io>
+void describe(Io& io, BoxShape& s) {
+  io.required("size_m", s.size_m);
+}
+
+template <class Io>
+void describe(Io& io, TrianglesShape& s) {
+  io.required("vertices_m", s.vertices_m);
+  io.required("faces", s.faces);
+}
+
+template <class Io>
+void describe(Io& io, MaterialSettings& m) {
+  io.field("linear_stiffness", m.linear_stiffness);
+  io.field("angular_stiffness", m.angular_stiffness);
+  io.field("volume_stiffness", m.volume_stiffness);
+}
+
+template <class Io>
+void describe(Io& io, SolverSettings& s) {
+  io.field("velocity_correction", s.velocity_correction);
+  io.field("damping", s.damping);
+  io.field("drag", s.drag);
+  io.field("lift", s.lift);
+  io.field("pressure", s.pressure);
+  io.field("volume_conservation", s.volume_conservation);
+  io.field("dynamic_friction", s.dynamic_friction);
+  io.field("pose_matching", s.pose_matching);
+  io.field("rigid_hardness", s.rigid_hardness);
+  io.field("soft_hardness", s.soft_hardness);
+  io.field("anchor_hardness", s.anchor_hardness);
+  io.field("max_volume", s.max_volume);
+  io.field("time_scale", s.time_scale);
+  io.field("velocity_iterations", s.velocity_iterations);
+  io.field("position_iterations", s.position_iterations);
+  io.field("drift_iterations", s.drift_iterations);
+}
+
+template <class Io>
+void describe(Io& io, BodySettings& b) {
+  io.required("name", b.name);
+  io.tagged("shape", b.shape, catalog().body_shapes);
+  io.field("position_m", b.position_m);
+  io.field("orientation", b.orientation);
+  io.field("mass_kg", b.mass_kg);
+  io.field("mass_from_faces", b.mass_from_faces);
+  io.field("margin_m", b.margin_m);
+  io.field("bending_distance", b.bending_distance);
+  io.field("randomize_links", b.randomize_links);
+  io.field("pose_volume", b.pose_volume);
+  io.field("pose_frame", b.pose_frame);
+  io.field("material", b.material);
+  io.field("solver", b.solver);
+}
+
+template <class Io>
+void describe(Io& io, TimeSettings& t) {
+  io.field("step_s", t.step_s);
+  io.field("settle_s", t.settle_s);
+  io.field("duration_s", t.duration_s);
+}
+
+template <class Io>
+void describe(Io& io, WorldSettings& w) {
+  io.field("gravity_m_s2", w.gravity_m_s2);
+  io.field("air_density_kg_m3", w.air_density_kg_m3);
+  io.field("max_displacement_m", w.max_displacement_m);
+}
+
+template <class Io>
+void describe(Io& io, GroundSettings& g) {
+  io.field("height_m", g.height_m);
+  io.field("friction", g.friction);
+  io.field("hardness", g.hardness);
+}
+
+template <class Io>
+void describe(Io& io, CameraSettings& c) {
+  io.field("position_m", c.position_m);
+  io.field("look_at_m", c.look_at_m);
+  io.field("up", c.up);
+  io.field("field_of_view_deg", c.field_of_view_deg);
+}
+
+template <class Io>
+void describe(Io& io, FrameSettings& f) {
+  std::array<int, 2> size_px{f.width_px, f.height_px};
+  io.field("every_s", f.every_s);
+  io.field("size_px", size_px);
+  io.field("camera", f.camera);
+  f.width_px = size_px[0];
+  f.height_px = size_px[1];
+}
+
+template <class Io>
+void describe(Io& io, RecordSettings& r) {
+  io.field("snapshots_every_s", r.snapshots_every_s);
+  io.field("frames", r.frames);
+}
+
+template <class Io>
+void describe(Io& io, MeasureSettings& m) {
+  io.field("sample_spacing_m", m.sample_spacing_m);
+}
+
+}  // namespace fissure

@@ -1,0 +1,79 @@
+#include <algorithm>
+#include <cmath>
+#include <type_traits>
+
+#include "scenario/checker.h"
+
+namespace fissure {
+
+namespace {
+
+void checkShape(Checker check, const SphereShape& sphere) {
+  check.positive("radius_m", sphere.radius_m);
+  check.between("subdivisions", sphere.subdivisions, 0, 7);
+}
+
+void checkShape(Checker check, const BoxShape& box) {
+  check.positive("size_m", box.size_m);
+}
+
+/// What can be said without topology; mesh/ checks that the surface is closed and oriented.
+void checkShape(Checker check, const TrianglesShape& triangles) {
+  constexpr std::size_t max_faces = 131072;  // those of a sphere with 7 subdivisions
+  const int vertices = static_cast<int>(triangles.vertices_m.size());
+  check.require(vertices >= 4, "vertices_m",
+                "has " + std::to_string(vertices) + " items, expected at least 4");
+  const std::size_t faces = triangles.faces.size();
+  check.require(faces >= 4 && faces <= max_faces, "faces",
+                "has " + std::to_string(faces) + " items, expected 4 to " + std::to_string(max_faces));
+  for (std::size_t i = 0; i < triangles.vertices_m.size(); ++i) {
+    check.finite("vertices_m." + std::to_string(i), triangles.vertices_m[i]);
+  }
+  for (std::size_t i = 0; i < faces; ++i) {
+    const Face& face = triangles.faces[i];
+    const bool inside = std::all_of(face.begin(), face.end(), [&](int v) { return v >= 0 && v < vertices; });
+    const bool distinct = face[0] != face[1] && face[1] != face[2] && face[2] != face[0];
+    check.require(
+        inside && distinct, "faces." + std::to_string(i),
+        "is no triangle, expected three different vertex indices from 0 to " + std::to_string(vertices - 1));
+  }
+}
+
+void checkSolver(Checker check, const SolverSettings& s) {
+  check.notNegative("velocity_correction", s.velocity_correction);
+  check.between("damping", s.damping, 0, 1);
+  check.notNegative("drag", s.drag);
+  check.notNegative("lift", s.lift);
+  check.finite("pressure", s.pressure);
+  check.notNegative("volume_conservation", s.volume_conservation);
+  check.between("dynamic_friction", s.dynamic_friction, 0, 1);
+  check.between("pose_matching", s.pose_matching, 0, 1);
+  check.between("rigid_hardness", s.rigid_hardness, 0, 1);
+  check.between("soft_hardness", s.soft_hardness, 0, 1);
+  check.between("anchor_hardness", s.anchor_hardness, 0, 1);
+  check.positive("max_volume", s.max_volume);
+  check.positive("time_scale", s.time_scale);
+  check.between("velocity_iterations", s.velocity_iterations, 0, 1000);
+  check.between("position_iterations", s.position_iterations, 1, 1000);
+  check.between("drift_iterations", s.drift_iterations, 0, 1000);
+}
+
+}  // namespace
+
+void checkBody(Checker check, const BodySettings& body) {
+  std::visit([&](const auto& shape) { checkShape(check.in("shape"), shape); }, body.shape);
+  check.finite("position_m", body.position_m);
+  check.unit("orientation", body.orientation);
+  check.positive("mass_kg", body.mass_kg);
+  check.positive("margin_m", body.margin_m);
+  const int distance = body.bending_distance;
+  check.require(distance == 0 || (distance >= 2 && distance <= 5), "bending_distance",
+                "is " + std::to_string(distance) + ", expected 0 (no bending links) or 2 to 5");
+  Checker material = check.in("material");
+  material.between("linear_stiffness", body.material.linear_stiffness, 0, 1);
+  material.between("angular_stiffness", body.material.angular_stiffness, 0, 1);
+  material.between("volume_stiffness", body.material.volume_stiffness, 0, 1);
+  checkSolver(check.in("solver"), body.solver);
+}
+
+}  // namespace fissure

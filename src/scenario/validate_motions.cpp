@@ -1,0 +1,122 @@
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+
+#include "scenario/checker.h"
+
+namespace fissure {
+
+namespace {
+
+/// One segment that starts at `from`.
+void checkSegment(Checker check, const MotionSegment& segment, const Vec3& from) {
+  const bool moves = segment.move_to_m || segment.rotate_to;
+  if (segment.hold_s) {
+    check.require(!moves, "", "holds and moves, expected hold_s alone or move_to_m and rotate_to");
+    check.require(!segment.speed_m_s && !segment.duration_s, "",
+                  "gives hold_s and a speed or duration, expected hold_s alone");
+    check.positive("hold_s", *segment.hold_s);
+    return;
+  }
+  check.require(moves, "", "does nothing, expected hold_s, move_to_m or rotate_to");
+  check.require(segment.speed_m_s.has_value() != segment.duration_s.has_value(), "",
+                "expected exactly one of speed_m_s and duration_s");
+  if (segment.speed_m_s) check.positive("speed_m_s", *segment.speed_m_s);
+  if (segment.duration_s) check.positive("duration_s", *segment.duration_s);
+  if (segment.move_to_m) check.finite("move_to_m", *segment.move_to_m);
+  if (segment.rotate_to) check.unit("rotate_to", *segment.rotate_to);
+  const bool on_the_spot = !segment.move_to_m || *segment.move_to_m == from;
+  check.require(!moves || !segment.speed_m_s || !on_the_spot, "speed_m_s",
+                "is given for a way of no length, expected duration_s");
+  const double ramp = segment.ramp_fraction;
+  check.require(ramp > 0 && ramp <= 0.5, "ramp_fraction", "expected a number above 0 and at most 0.5");
+}
+
+void checkMotion(Checker check, const ScriptMotion& motion) {
+  check.finite("start_m", motion.start_m);
+  check.unit("start_orientation", motion.start_orientation);
+  Vec3 from = motion.start_m;
+  for (std::size_t i = 0; i < motion.segments.size(); ++i) {
+    checkSegment(check.in("segments." + std::to_string(i)), motion.segments[i], from);
+    from = motion.segments[i].move_to_m.value_or(from);
+  }
+}
+
+/// Determinant of the signed permutation that `axes` says, 0 if it is none.
+int handedness(const std::array<std::string, 3>& axes) {
+  Mat3 rows = Mat3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const std::string& axis = axes[static_cast<std::size_t>(i)];
+    const bool negative = !axis.empty() && axis[0] == '-';
+    const std::string letter = axis.substr(negative ? 1 : 0);
+    if (letter.size() != 1 || letter[0] < 'x' || letter[0] > 'z') return 0;
+    rows(i, letter[0] - 'x') = negative ? -1 : 1;
+  }
+  return static_cast<int>(std::lround(rows.determinant()));
+}
+
+void checkColumns(Checker check, const ReplayMotion& motion) {
+  std::multiset<std::string> columns(motion.position_columns.begin(), motion.position_columns.end());
+  if (motion.quaternion_columns)
+    columns.insert(motion.quaternion_columns->begin(), motion.quaternion_columns->end());
+  if (motion.time_column) columns.insert(*motion.time_column);
+  for (const std::string& column : columns) {
+    if (column.empty()) return check.fail("", "has a column without a name, expected names of columns");
+    if (columns.count(column) > 1) {
+      return check.fail("", "uses column \"" + column + "\" twice, expected a column for each value");
+    }
+  }
+}
+
+void checkMotion(Checker check, const ReplayMotion& motion) {
+  check.require(!motion.file.empty(), "file", "is empty, expected the name of a log");
+  check.require(motion.time_column.has_value() != motion.rate_hz.has_value(), "",
+                "expected exactly one of time_column and rate_hz");
+  if (motion.rate_hz) check.positive("rate_hz", *motion.rate_hz);
+  checkColumns(check, motion);
+  Checker mapping = check.in("mapping");
+  const int hand = handedness(motion.mapping.axes);
+  mapping.require(hand != 0, "axes", "expected x, y and z, each once and perhaps with a minus: [x, -z, y]");
+  mapping.require(hand >= 0, "axes", "is left-handed, expected a right-handed frame (turn one sign)");
+  mapping.positive("scale", motion.mapping.scale);
+  mapping.finite("origin_device_m", motion.mapping.origin_device_m);
+  mapping.finite("origin_scene_m", motion.mapping.origin_scene_m);
+  mapping.unit("mount", motion.mapping.mount);
+  check.notNegative("start_s", motion.start_s);
+  if (motion.end_s) {
+    check.finite("end_s", *motion.end_s);
+    check.require(*motion.end_s > motion.start_s, "end_s", "expected a time after start_s");
+  }
+  check.positive("max_gap_s", motion.max_gap_s);
+  check.positive("jump_m", motion.jump_m);
+}
+
+}  // namespace
+
+double scriptDuration(const ScriptMotion& motion) {
+  double duration_s = 0;
+  Vec3 from = motion.start_m;
+  for (const MotionSegment& segment : motion.segments) {
+    const Vec3 to = segment.move_to_m.value_or(from);
+    if (segment.hold_s) {
+      duration_s += *segment.hold_s;
+    } else if (segment.duration_s) {
+      duration_s += *segment.duration_s;
+    } else {
+      duration_s += (to - from).norm() / segment.speed_m_s.value();
+    }
+    from = to;
+  }
+  return duration_s;
+}
+
+void checkTool(Checker check, const ToolSettings& tool) {
+  check.in("shape").positive("size_m", tool.shape.size_m);
+  Checker nodes = check.in("nodes");
+  for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
+  check.notNegative("friction", tool.friction);
+  std::visit([&](const auto& motion) { checkMotion(check.in("motion"), motion); }, tool.motion);
+}
+
+}  // namespace fissure

@@ -1,0 +1,49 @@
+#include "scenario/checker.h"
+
+namespace fissure {
+
+namespace {
+
+void checkCamera(Checker check, const CameraSettings& camera) {
+  check.finite("position_m", camera.position_m);
+  check.finite("look_at_m", camera.look_at_m);
+  check.finite("up", camera.up);
+  check.between("field_of_view_deg", camera.field_of_view_deg, 1, 150);
+  const Vec3 view = camera.look_at_m - camera.position_m;
+  check.require(!(view.norm() == 0), "look_at_m", "is where the camera stands, expected another point");
+  check.require(!(view.normalized().cross(camera.up.normalized()).norm() < 1e-9) || view.norm() == 0, "up",
+                "is zero or along the view, expected a direction across it");
+}
+
+}  // namespace
+
+void checkPipeline(Checker check, const PipelineSettings& pipeline) {
+  check.oneOf("pipeline", pipeline.pipeline, catalog().pipelines);
+  check.oneOf("precision", pipeline.precision, catalog().precisions);
+  check.oneOf("settings", pipeline.settings, catalog().settings);
+  if (pipeline.sdf_voxel_m) check.positive("sdf_voxel_m", *pipeline.sdf_voxel_m);
+  if (pipeline.kinematic_hardness) check.between("kinematic_hardness", *pipeline.kinematic_hardness, 0, 1);
+  if (pipeline.ray_length_m) check.positive("ray_length_m", *pipeline.ray_length_m);
+  check.between("sweeps", pipeline.sweeps, 1, 1000);
+  if (pipeline.max_displacement_m) check.positive("max_displacement_m", *pipeline.max_displacement_m);
+  check.positive("time_limit_s", pipeline.time_limit_s);
+}
+
+void checkForce(Checker check, const ForceSettings& force) {
+  check.oneOf("model", force.model, catalog().force_laws);
+  check.notNegative("k", force.k);
+  check.notNegative("lambda", force.lambda);
+  check.positive("n", force.n);
+}
+
+void checkRecord(Checker check, const RecordSettings& record) {
+  if (record.snapshots_every_s) check.positive("snapshots_every_s", *record.snapshots_every_s);
+  if (!record.frames) return;
+  Checker frames = check.in("frames");
+  frames.positive("every_s", record.frames->every_s);
+  frames.between("size_px", record.frames->width_px, 16, 4096);
+  frames.between("size_px", record.frames->height_px, 16, 4096);
+  if (record.frames->camera) checkCamera(frames.in("camera"), *record.frames->camera);
+}
+
+}  // namespace fissure

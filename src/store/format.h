@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "base/record_sink.h"
+#include "scenario/pipelines.h"
+#include "store/h5.h"
+
+namespace fissure {
+
+/// What opens a file of ours; a reader refuses newer versions.
+inline constexpr const char* result_format = "fissure-result";
+inline constexpr const char* part_format = "fissure-part";
+inline constexpr std::int32_t format_version = 1;
+
+/// Attributes pipeline, description, precision, status and status_detail of a pipeline's group, in this
+/// order.
+void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunStatus& status);
+
+/// How many rows of a growing axis count as written: those up to the last that has a time. `time` is a
+/// coordinate.
+hsize_t committedLength(hid_t time);
+
+}  // namespace fissure

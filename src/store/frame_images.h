@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "store/h5.h"
+
+namespace fissure {
+
+/// Gives each picture of the dataset `frames` in `group` a dataset of its own in the subgroup frame_images
+/// (000000, 000001, ...): virtual, so that no byte is stored twice, and with scales and the attributes of the
+/// HDF5 Image specification, which image viewers look for. `group_path` is the group's absolute name. Call it
+/// once `frames` has its final length. Throws RunError.
+void addFrameImages(hid_t group, const std::string& group_path);
+
+}  // namespace fissure

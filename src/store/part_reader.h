@@ -1,0 +1,27 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "store/h5.h"
+
+namespace fissure {
+
+/// A part file open for reading, as assembly needs it.
+class PartReader {
+ public:
+  /// Opens the part and checks that it is one and holds the group of `pipeline`, readable down to the last
+  /// dataset. Throws RunError.
+  PartReader(const std::filesystem::path& path, const std::string& pipeline);
+
+  /// Copies datasets, subgroups and their attributes into `group`, but not the attributes of the pipeline's
+  /// group itself, and cuts what a killed worker left unfinished: every growing axis ends at its last written
+  /// time.
+  void copyTo(hid_t group) const;
+
+ private:
+  h5::Id file_;
+  h5::Id group_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,144 @@
+#include "store/result_file.h"
+
+#include <array>
+#include <cstdint>
+#include <ctime>
+
+#include "base/error.h"
+#include "store/format.h"
+#include "store/frame_images.h"
+#include "store/group_builder.h"
+#include "store/part_reader.h"
+#include "store/replacement_file.h"
+
+namespace fissure {
+
+namespace {
+
+std::string nowUtc() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  std::array<char, 32> text{};
+  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text.data();
+}
+
+// FNV-1a, 64 bits: enough to tell results apart, and the same everywhere.
+std::string identifierOf(const std::string& text) {
+  std::uint64_t hash = 14695981039346656037ULL;
+  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
+  std::array<char, 17> digits{};
+  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
+  return digits.data();
+}
+
+std::string valueOf(const Provenance& provenance, const std::string& name) {
+  for (const auto& [key, value] : provenance) {
+    if (key == name) return value;
+  }
+  return "";
+}
+
+void writeRoot(hid_t file, const LoadedScenario& loaded, const Provenance& provenance) {
+  const std::string date = nowUtc();
+  const std::string version = valueOf(provenance, "version");
+  const std::string command = valueOf(provenance, "command_line");
+  h5::setAttribute(file, "Conventions", std::string("CF-1.10, ACDD-1.3"));
+  h5::setAttribute(file, "title", loaded.scenario.name);
+  h5::setAttribute(file, "summary", loaded.scenario.description);
+  h5::setAttribute(file, "source", "fissure" + (version.empty() ? "" : " " + version));
+  h5::setAttribute(file, "history", date + " " + (command.empty() ? "fissure" : command));
+  h5::setAttribute(file, "date_created", date);
+  h5::setAttribute(file, "id", identifierOf(loaded.resolved + date));
+  h5::setAttribute(file, "format", std::string(result_format));
+  h5::setAttribute(file, "format_version", format_version);
+}
+
+void writeProvenance(hid_t file, const LoadedScenario& loaded, const Provenance& provenance) {
+  const h5::Id group = h5::createGroup(file, "provenance");
+  for (const auto& [name, value] : provenance) h5::setAttribute(group, name, value);
+  h5::writeText(group, "scenario_source", loaded.source);
+  h5::writeText(group, "scenario_resolved", loaded.resolved);
+}
+
+// The part of a run, if there is a readable one; a damaged part must not take the other pipelines' results
+// with it.
+std::optional<PartReader> openPart(const PartResult& result, RunStatus& status) {
+  if (!result.part || !std::filesystem::exists(*result.part)) return std::nullopt;
+  try {
+    return PartReader(*result.part, result.pipeline.name);
+  } catch (const RunError& error) {
+    if (status.status == "ok") status.status = "failed";
+    status.detail +=
+        (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + error.what();
+    return std::nullopt;
+  }
+}
+
+void writePipeline(hid_t pipelines, const PartResult& result) {
+  RunStatus status = result.status;
+  const std::optional<PartReader> part = openPart(result, status);
+  const h5::Id group = h5::createGroup(pipelines, result.pipeline.name);
+  describePipeline(group, result.pipeline, status);
+  if (!part) return;
+  part->copyTo(group);
+  attachScales(group);
+  if (h5::exists(group, "frames")) addFrameImages(group, "/pipelines/" + result.pipeline.name);
+}
+
+void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const Provenance& provenance,
+                 const std::vector<PartResult>& parts) {
+  writeRoot(file, loaded, provenance);
+  writeProvenance(file, loaded, provenance);
+  {
+    const h5::Id pipelines = h5::createGroup(file, "pipelines");
+    for (const PartResult& part : parts) {
+      writePipeline(pipelines, part);
+      file.checkWritten();
+    }
+  }
+  h5::setAttribute(file, "complete", std::int32_t{1});
+}
+
+// The file itself has the last word before it gets its name.
+void verify(const std::filesystem::path& path, std::size_t pipelines) {
+  try {
+    const ResultInfo info = readResultInfo(path);
+    if (info.complete && info.pipelines.size() == pipelines) return;
+  } catch (const InputError& error) {
+    throw RunError(std::string("not all of it was written: ") + error.what());
+  }
+  throw RunError("not all of it was written");
+}
+
+}  // namespace
+
+void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
+                    const Provenance& provenance, const std::vector<PartResult>& parts) {
+  try {
+    ReplacementFile replacement(path);
+    try {
+      writeResult(replacement.file(), loaded, provenance, parts);
+    } catch (const RunError&) {
+      // What HDF5 stumbled on after a failed write is no news.
+      replacement.file().checkWritten();
+      throw;
+    }
+    replacement.close();
+    verify(replacement.temporaryPath(), parts.size());
+    replacement.commit();
+  } catch (const RunError& error) {
+    throw RunError(path.string() + ": " + error.what());
+  }
+}
+
+std::string hdf5Version() {
+  unsigned major = 0;
+  unsigned minor = 0;
+  unsigned release = 0;
+  h5::check(H5get_libversion(&major, &minor, &release), "cannot ask HDF5 for its version");
+  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+}
+
+}  // namespace fissure

@@ -1,0 +1,196 @@
+#include "store/snapshot_writer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace fissure {
+
+namespace {
+
+const std::vector<std::string> xyz = {"x", "y", "z"};
+const std::vector<std::string> colours = {"red", "green", "blue"};
+constexpr std::size_t buffer_bytes = std::size_t{1} << 20;
+
+std::vector<std::int64_t> cornersOf(const std::vector<Face>& faces, int first_vertex) {
+  std::vector<std::int64_t> corners;
+  for (const Face& face : faces) {
+    for (const int corner : face) corners.push_back(first_vertex + corner);
+  }
+  return corners;
+}
+
+void addFaces(GroupBuilder& group, const std::vector<std::int64_t>& corners) {
+  const hsize_t count = corners.size() / 3;
+  group.addIndex("face", count);
+  group.addIndex("corner", 3);
+  group.addFixed({"faces",
+                  "1",
+                  "vertices of each triangle, counter-clockwise seen from outside",
+                  ValueType::count,
+                  {{"face", count}, {"corner", 3}}},
+                 corners);
+}
+
+void addNodes(GroupBuilder& group, const ToolNodes& nodes) {
+  const hsize_t count = nodes.positions_m.size();
+  std::vector<double> thicknesses_m = nodes.thicknesses_m;
+  for (double& thickness_m : thicknesses_m) {
+    if (!std::isfinite(thickness_m)) thickness_m = std::numeric_limits<double>::quiet_NaN();
+  }
+  const Dimension node{"node", count};
+  group.addIndex("node", count);
+  group.addFixed({"nodes", "m", "positions of the tool nodes", ValueType::real, {node, {"xyz", 3}}},
+                 nodes.positions_m);
+  group.addFixed(
+      {"node_normals", "1", "unit normals of the tool nodes, outward", ValueType::real, {node, {"xyz", 3}}},
+      nodes.normals);
+  group.addFixed({"node_partner", "1", "node across the tool, -1: none", ValueType::count, {node}},
+                 std::vector<std::int64_t>(nodes.partners.begin(), nodes.partners.end()));
+  group.addFixed({"node_thickness", "m", "distance to the node across the tool", ValueType::real, {node}},
+                 thicknesses_m);
+}
+
+}  // namespace
+
+void addBodies(GroupBuilder& group, const Scene& scene) {
+  std::vector<std::string> names;
+  std::vector<std::int64_t> corners;
+  std::vector<std::int64_t> first_vertices;
+  std::vector<std::int64_t> first_faces;
+  for (const SceneBody& body : scene.bodies) {
+    names.push_back(body.name);
+    first_vertices.push_back(body.first_vertex);
+    first_faces.push_back(body.first_face);
+    const std::vector<std::int64_t> own = cornersOf(body.rest.faces, body.first_vertex);
+    corners.insert(corners.end(), own.begin(), own.end());
+  }
+  const Dimension body{"body", names.size()};
+  addFaces(group, corners);
+  group.addLabels("body", names);
+  group.addFixed({"first_vertex", "1", "first vertex of each body", ValueType::count, {body}},
+                 first_vertices);
+  group.addFixed({"first_face", "1", "first face of each body", ValueType::count, {body}}, first_faces);
+}
+
+void addTools(GroupBuilder& group, const Scene& scene) {
+  if (scene.tools.empty()) return;
+  const GroupBuilder tools(group.id(), "tools");
+  std::vector<std::string> names;
+  std::vector<std::int64_t> first_nodes;
+  for (const SceneTool& tool : scene.tools) {
+    names.push_back(tool.name);
+    first_nodes.push_back(tool.first_node);
+    GroupBuilder own(tools.id(), tool.name);
+    const hsize_t count = tool.surface.vertices_m.size();
+    own.addIndex("vertex", count);
+    own.addLabels("xyz", xyz);
+    own.addFixed({"vertices",
+                  "m",
+                  "vertices of the tool, in its frame",
+                  ValueType::real,
+                  {{"vertex", count}, {"xyz", 3}}},
+                 tool.surface.vertices_m);
+    addFaces(own, cornersOf(tool.surface.faces, 0));
+    if (tool.nodes.size() > 0) addNodes(own, tool.nodes);
+  }
+  if (scene.nodeCount() == 0) return;
+  group.addLabels("tool", names);
+  group.addFixed({"first_node", "1", "first node of each tool", ValueType::count, {{"tool", names.size()}}},
+                 first_nodes);
+}
+
+SnapshotWriter::SnapshotWriter(GroupBuilder& group, const Scene& scene, std::size_t expected)
+    : vertices_(static_cast<std::size_t>(scene.vertexCount())),
+      nodes_(static_cast<std::size_t>(scene.nodeCount())) {
+  const std::size_t bytes = std::max<std::size_t>(1, vertices_ * sizeof(Vec3));
+  chunk_ = std::clamp<std::size_t>(buffer_bytes / bytes, 1, expected == 0 ? 64 : expected);
+  const Dimension time{"snapshot_time", chunk_, true};
+  const Dimension vertex{"vertex", vertices_};
+  time_data_ = group.addGrowing({"snapshot_time", "s", "time of each snapshot", ValueType::real, {time}});
+  group.addIndex("vertex", vertices_);
+  group.addLabels("xyz", xyz);
+  position_data_ = group.addGrowing({"positions",
+                                     "m",
+                                     "positions of the tissue's vertices, scene frame",
+                                     ValueType::real,
+                                     {time, vertex, {"xyz", 3}}});
+  contact_data_ = group.addGrowing(
+      {"vertex_contact", "1", "whether a vertex is in contact with a tool", ValueType::flag, {time, vertex}});
+  if (nodes_ == 0) return;
+  group.addIndex("node", nodes_);
+  node_data_ = group.addGrowing(
+      {"node_state", "1", "what each tool node did in the step", ValueType::flag, {time, {"node", nodes_}}});
+}
+
+bool SnapshotWriter::append(const State& state) {
+  const auto fits = [](std::size_t size, std::size_t expected) { return size == 0 || size == expected; };
+  if (state.positions_m.size() != vertices_ || !fits(state.vertex_contact.size(), vertices_) ||
+      !fits(state.node_states.size(), nodes_)) {
+    throw std::logic_error("a snapshot does not fit its scene");
+  }
+  for (const Vec3& position_m : state.positions_m) {
+    positions_.insert(positions_.end(), position_m.data(), position_m.data() + 3);
+  }
+  contacts_.insert(contacts_.end(), state.vertex_contact.begin(), state.vertex_contact.end());
+  for (const NodeState node : state.node_states) node_states_.push_back(static_cast<std::uint8_t>(node));
+  times_.push_back(state.time_s);
+  ++unwritten_;
+  contacts_.resize(unwritten_ * vertices_, 0);
+  node_states_.resize(unwritten_ * nodes_, static_cast<std::uint8_t>(NodeState::free));
+  if (++in_chunk_ < chunk_) return false;
+  in_chunk_ = 0;
+  return true;
+}
+
+void SnapshotWriter::writeData() {
+  if (unwritten_ == 0) return;
+  position_data_->append(positions_.data(), unwritten_);
+  contact_data_->append(contacts_.data(), unwritten_);
+  if (node_data_) node_data_->append(node_states_.data(), unwritten_);
+  unwritten_ = 0;
+  positions_.clear();
+  contacts_.clear();
+  node_states_.clear();
+}
+
+void SnapshotWriter::writeTimes() {
+  if (times_.empty()) return;
+  time_data_->append(times_.data(), times_.size());
+  times_.clear();
+}
+
+FrameWriter::FrameWriter(GroupBuilder& group, int width_px, int height_px)
+    : width_px_(width_px), height_px_(height_px) {
+  const auto height = static_cast<hsize_t>(height_px);
+  const auto width = static_cast<hsize_t>(width_px);
+  time_data_ = group.addGrowing(
+      {"frame_time", "s", "time of each frame", ValueType::real, {{"frame_time", 64, true}}});
+  group.addIndex("image_y", height);
+  group.addIndex("image_x", width);
+  group.addLabels("channel", colours);
+  picture_data_ =
+      group.addPictures({"frames",
+                         "1",
+                         "pictures of the scene, rows from top to bottom",
+                         ValueType::flag,
+                         {{"frame_time", 1, true}, {"image_y", height}, {"image_x", width}, {"channel", 3}}});
+}
+
+void FrameWriter::append(double time_s, const Image& image) {
+  const auto bytes = static_cast<std::size_t>(width_px_) * static_cast<std::size_t>(height_px_) * 3;
+  if (image.width_px != width_px_ || image.height_px != height_px_ || image.rgb.size() != bytes) {
+    throw std::logic_error("a frame is not of the size the scenario asks for");
+  }
+  picture_data_->append(image.rgb.data(), 1);
+  times_.push_back(time_s);
+}
+
+void FrameWriter::writeTimes() {
+  if (times_.empty()) return;
+  time_data_->append(times_.data(), times_.size());
+  times_.clear();
+}
+
+}  // namespace fissure

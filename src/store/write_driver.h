@@ -1,0 +1,21 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <string>
+
+namespace fissure::h5 {
+
+/// What went wrong on the disk while a file was written.
+struct DiskErrors {
+  int open_errno = 0;   ///< of the last attempt to open; 0 after success
+  int first_errno = 0;  ///< of the first write, truncation or close that failed; 0: none
+};
+
+/// Makes `access` (file access properties) write through a file driver of ours, with ordinary POSIX files. It
+/// never tells HDF5 that a write failed: HDF5 1.10 crashes, prints or reports success when a full disk
+/// interrupts its flushing and closing. Instead the first failure is kept in `errors`, which must outlive the
+/// file, and nothing is written after it; whoever writes asks there. Throws RunError.
+void useWriteDriver(hid_t access, DiskErrors& errors);
+
+}  // namespace fissure::h5

@@ -1,0 +1,123 @@
+#include "engine/soft_body.h"
+
+#include <BulletSoftBody/btSoftBodyHelpers.h>
+#include <gtest/gtest.h>
+
+#include "engine/convert.h"
+#include "mesh/primitives.h"
+
+namespace fissure {
+namespace {
+
+std::unique_ptr<btSoftBody> bulletsOwn(btSoftBodyWorldInfo& info, const TriangleMesh& mesh,
+                                       const BodySettings& settings) {
+  std::vector<btScalar> vertices;
+  for (const Vec3& v : mesh.vertices_m)
+    vertices.insert(vertices.end(), {btScalar(v.x()), btScalar(v.y()), btScalar(v.z())});
+  std::vector<int> faces;
+  for (const Face& f : mesh.faces) faces.insert(faces.end(), f.begin(), f.end());
+  std::unique_ptr<btSoftBody> body(btSoftBodyHelpers::CreateFromTriMesh(
+      info, vertices.data(), faces.data(), static_cast<int>(mesh.faces.size()), settings.randomize_links));
+  body->generateBendingConstraints(settings.bending_distance);
+  body->setTotalMass(btScalar(settings.mass_kg), settings.mass_from_faces);
+  return body;
+}
+
+class SoftBodyLinks : public testing::TestWithParam<std::tuple<int, int, bool>> {};
+
+// Our tables are sparse; the links must be Bullet's, in Bullet's order.
+TEST_P(SoftBodyLinks, AreBulletsLinkForLink) {
+  const auto [subdivisions, distance, randomize] = GetParam();
+  const TriangleMesh mesh = makeSphere(0.03, subdivisions);
+  BodySettings settings;
+  settings.shape = SphereShape{};
+  settings.bending_distance = distance;
+  settings.randomize_links = randomize;
+  btSoftBodyWorldInfo info;
+  const auto ours = makeSoftBody(info, mesh, settings, 0.1);
+  const auto theirs = bulletsOwn(info, mesh, settings);
+  ASSERT_EQ(ours->m_links.size(), theirs->m_links.size());
+  for (int i = 0; i < ours->m_links.size(); ++i) {
+    for (int end = 0; end < 2; ++end) {
+      ASSERT_EQ(ours->m_links[i].m_n[end] - &ours->m_nodes[0],
+                theirs->m_links[i].m_n[end] - &theirs->m_nodes[0])
+          << i;
+    }
+    ASSERT_EQ(ours->m_links[i].m_rl, theirs->m_links[i].m_rl);
+    ASSERT_EQ(ours->m_links[i].m_bbending, theirs->m_links[i].m_bbending);
+  }
+  ASSERT_EQ(ours->m_faces.size(), theirs->m_faces.size());
+  for (int i = 0; i < ours->m_faces.size(); ++i) {
+    for (int j = 0; j < 3; ++j) {
+      ASSERT_EQ(ours->m_faces[i].m_n[j] - &ours->m_nodes[0], theirs->m_faces[i].m_n[j] - &theirs->m_nodes[0]);
+    }
+  }
+  for (int i = 0; i < ours->m_nodes.size(); ++i) ASSERT_EQ(ours->m_nodes[i].m_im, theirs->m_nodes[i].m_im);
+}
+
+INSTANTIATE_TEST_SUITE_P(SmallSpheres, SoftBodyLinks,
+                         testing::Combine(testing::Values(0, 1, 2, 3), testing::Values(0, 2, 3),
+                                          testing::Bool()));
+
+TEST(SoftBody, AppliesEverySetting) {
+  BodySettings settings;
+  settings.shape = SphereShape{};
+  settings.mass_kg = 0.25;
+  settings.margin_m = 0.003;
+  settings.material = {.linear_stiffness = 0.11, .angular_stiffness = 0.12, .volume_stiffness = 0.13};
+  settings.solver = {.velocity_correction = 0.21,
+                     .damping = 0.22,
+                     .drag = 0.23,
+                     .lift = 0.24,
+                     .pressure = 0.25,
+                     .volume_conservation = 0.26,
+                     .dynamic_friction = 0.27,
+                     .pose_matching = 0.28,
+                     .rigid_hardness = 0.29,
+                     .soft_hardness = 0.31,
+                     .anchor_hardness = 0.32,
+                     .max_volume = 1.33,
+                     .time_scale = 1.34,
+                     .velocity_iterations = 3,
+                     .position_iterations = 4,
+                     .drift_iterations = 5};
+  btSoftBodyWorldInfo info;
+  const auto body = makeSoftBody(info, makeSphere(0.03, 2), settings, 0.77);
+  EXPECT_EQ(body->m_materials[0]->m_kLST, btScalar(0.11));
+  EXPECT_EQ(body->m_materials[0]->m_kAST, btScalar(0.12));
+  EXPECT_EQ(body->m_materials[0]->m_kVST, btScalar(0.13));
+  const btSoftBody::Config& config = body->m_cfg;
+  EXPECT_EQ(config.kVCF, btScalar(0.21));
+  EXPECT_EQ(config.kDP, btScalar(0.22));
+  EXPECT_EQ(config.kDG, btScalar(0.23));
+  EXPECT_EQ(config.kLF, btScalar(0.24));
+  EXPECT_EQ(config.kPR, btScalar(0.25));
+  EXPECT_EQ(config.kVC, btScalar(0.26));
+  EXPECT_EQ(config.kDF, btScalar(0.27));
+  EXPECT_EQ(config.kMT, btScalar(0.28));
+  EXPECT_EQ(config.kCHR, btScalar(0.29));
+  EXPECT_EQ(config.kKHR, btScalar(0.77));
+  EXPECT_EQ(config.kSHR, btScalar(0.31));
+  EXPECT_EQ(config.kAHR, btScalar(0.32));
+  EXPECT_EQ(config.maxvolume, btScalar(1.33));
+  EXPECT_EQ(config.timescale, btScalar(1.34));
+  EXPECT_EQ(config.viterations, 3);
+  EXPECT_EQ(config.piterations, 4);
+  EXPECT_EQ(config.diterations, 5);
+  EXPECT_NEAR(body->getTotalMass(), 0.25, 1e-12);
+  EXPECT_EQ(body->getCollisionShape()->getMargin(), btScalar(0.003));
+  EXPECT_TRUE(body->m_pose.m_bvolume);
+  EXPECT_TRUE(body->m_pose.m_bframe);
+}
+
+// Bullet's own tables would need 16 386 x 16 386 words here.
+TEST(SoftBody, BuildsALargeBody) {
+  btSoftBodyWorldInfo info;
+  BodySettings settings;
+  settings.shape = SphereShape{};
+  const auto body = makeSoftBody(info, makeSphere(0.03, 6), settings, 0.1);
+  EXPECT_EQ(body->m_faces.size(), 32768);
+}
+
+}  // namespace
+}  // namespace fissure

@@ -1,0 +1,311 @@
+#include "measure/probes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "measure/final_state_probe.h"
+#include "measure/statistics.h"
+#include "mesh/primitives.h"
+#include "oracles.h"
+
+namespace fissure {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A run of makeProbes' probes over states that a test makes up.
+class ProbesTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}});
+    state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
+    scenario_.time.step_s = 0.001;
+  }
+  void addNodes(int count) {
+    scene_.tools[0].nodes.positions_m.assign(static_cast<std::size_t>(count), Vec3::Zero());
+    state_.node_states.assign(static_cast<std::size_t>(count), NodeState::free);
+  }
+  void addLaws(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      scenario_.force.push_back({.name = name, .model = "linear_elastic"});
+    state_.forces.resize(names.size());
+  }
+  void start() {
+    probes_ = makeProbes(scenario_, {}, scene_);
+    for (const auto& probe : probes_) probe->declare(layout_);
+    row_.assign(layout_.columns(), 12345.0);
+  }
+  void step() {
+    for (const auto& probe : probes_) probe->sample(state_, row_);
+    ++state_.step;
+    state_.time_s = static_cast<double>(state_.step) * scenario_.time.step_s;
+  }
+  double value(const std::string& series, std::size_t index = 0) const {
+    return row_[layout_.find(series)->first_column + index];
+  }
+  std::vector<std::string> seriesNames() const {
+    std::vector<std::string> names;
+    for (const Series& series : layout_.series()) names.push_back(series.name);
+    return names;
+  }
+  SummaryValue scalar(const std::string& name) const {
+    Summary summary;
+    for (const auto& probe : probes_) probe->summarize(summary);
+    for (const SummaryValue& value : summary) {
+      if (value.name == name) return value;
+    }
+    return {"absent", std::string("absent")};
+  }
+  double real(const std::string& name) const { return std::get<double>(scalar(name).value); }
+  long long count(const std::string& name) const { return std::get<long long>(scalar(name).value); }
+
+  Scenario scenario_;
+  Scene scene_;
+  State state_;
+  RecordLayout layout_;
+  RecordRow row_;
+  std::vector<std::unique_ptr<Probe>> probes_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ProbesTest, DeclareOnlyWhatTheSceneNeeds) {
+  start();
+  EXPECT_EQ(seriesNames(),
+            (Names{"penetration_depth", "passed_through", "inverted_triangles", "stand_off", "tool_position",
+                   "tool_quaternion", "contact_count", "reaction_force", "kinetic_energy", "momentum",
+                   "volume", "timing/step_time_us", "timing/collision_time_us"}));
+  EXPECT_EQ(scalar("node_switch_rate_hz").name, "absent");
+  EXPECT_EQ(scalar("max_force_N").name, "absent");
+}
+
+TEST_F(ProbesTest, DeclareNodeAndForceSeriesWhereTheyExist) {
+  addNodes(4);
+  addLaws({"hc", "linear"});
+  start();
+  EXPECT_EQ(
+      seriesNames(),
+      (Names{"penetration_depth", "passed_through",  "inverted_triangles",  "stand_off",
+             "tool_position",     "tool_quaternion", "contact_count",       "infeasible_count",
+             "candidate_count",   "capped_count",    "reaction_force",      "force",
+             "force_elastic",     "force_viscous",   "adhesion_clamped",    "kinetic_energy",
+             "momentum",          "volume",          "timing/step_time_us", "timing/collision_time_us"}));
+  EXPECT_EQ(layout_.find("force")->axes, (Names{"law", "xyz"}));
+  EXPECT_EQ(layout_.axis("law").labels, (Names{"hc", "linear"}));
+  EXPECT_EQ(layout_.find("passed_through")->type, ValueType::count);
+}
+
+TEST_F(ProbesTest, MeasureNoToolWithoutTools) {
+  scene_.tools.clear();
+  state_.tools.clear();
+  start();
+  EXPECT_EQ(seriesNames(), (Names{"kinetic_energy", "momentum", "volume", "timing/step_time_us",
+                                  "timing/collision_time_us"}));
+  step();
+}
+
+TEST_F(ProbesTest, FillEveryColumn) {
+  addNodes(4);
+  addLaws({"hc"});
+  start();
+  step();
+  for (const double column : row_) EXPECT_NE(column, 12345.0);
+}
+
+TEST_F(ProbesTest, SummarizeNaNBeforeTheFirstStep) {
+  addNodes(4);
+  addLaws({"hc"});
+  start();
+  Summary summary;
+  for (const auto& probe : probes_) probe->summarize(summary);
+  for (const SummaryValue& scalar : summary) {
+    if (scalar.name == "tool_samples") continue;  // known from the start
+    ASSERT_TRUE(std::holds_alternative<double>(scalar.value)) << scalar.name;
+    EXPECT_TRUE(std::isnan(std::get<double>(scalar.value))) << scalar.name;
+  }
+}
+
+// The tissue box's top is at y = 0.05, its corners far from the blade.
+TEST_F(ProbesTest, PenetrationKeepsMaximumAndLastValue) {
+  start();
+  for (const double depth : {-0.1, 0.003, 0.001}) {
+    state_.tools[0].pose = test::at(0, 0.051 - depth, 0);
+    step();
+  }
+  EXPECT_NEAR(value("penetration_depth"), 0.001, 1e-12);
+  EXPECT_NEAR(real("max_penetration_depth_m"), 0.003, 1e-12);
+  EXPECT_NEAR(real("final_penetration_depth_m"), 0.001, 1e-12);
+  EXPECT_EQ(count("passed_through_samples"), 0);
+  EXPECT_EQ(count("max_inverted_triangles"), 0);
+}
+
+TEST_F(ProbesTest, OneUnknownDepthMakesTheMaximumUnknown) {
+  start();
+  step();
+  state_.positions_m[3].x() = kNaN;
+  step();
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
+  step();
+  EXPECT_TRUE(std::isnan(real("max_penetration_depth_m")));
+  EXPECT_EQ(real("final_penetration_depth_m"), 0);
+}
+
+TEST_F(ProbesTest, ToolPose) {
+  start();
+  state_.tools[0].pose = {Vec3(1, 2, 3), Quat(0.5, -0.5, 0.5, -0.5)};
+  step();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(value("tool_position", i), 1.0 + static_cast<double>(i));
+  const double quaternion[] = {-0.5, 0.5, -0.5, 0.5};  // x, y, z, w
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(value("tool_quaternion", i), quaternion[i]);
+}
+
+TEST_F(ProbesTest, ContactCountsAndFirstContact) {
+  addNodes(4);
+  start();
+  for (const int contacts : {0, 0, 3, 5, 1}) {
+    state_.contact_count = contacts;
+    state_.candidate_count = contacts + 2;
+    state_.infeasible_count = 2;
+    state_.capped_count = contacts / 2;
+    state_.reaction_on_tool_N = Vec3(0, contacts, -1);
+    step();
+  }
+  EXPECT_EQ(value("contact_count"), 1);
+  EXPECT_EQ(value("candidate_count"), 3);
+  EXPECT_EQ(value("infeasible_count"), 2);
+  EXPECT_EQ(value("capped_count"), 0);
+  EXPECT_EQ(value("reaction_force", 1), 1);
+  EXPECT_EQ(value("reaction_force", 2), -1);
+  EXPECT_DOUBLE_EQ(real("first_contact_time_s"), 0.002);
+  EXPECT_EQ(count("max_contact_count"), 5);
+  EXPECT_EQ(count("contacts_total"), 9);
+}
+
+// 2 nodes over 4 ms. Node 0: free, feasible, capped, infeasible, feasible: 3 switches. Node 1 never acts. 3 /
+// (2 x 4 ms).
+TEST_F(ProbesTest, NodeSwitchRateCountsActingAgainstNot) {
+  addNodes(2);
+  start();
+  const NodeState first[] = {NodeState::free, NodeState::feasible, NodeState::capped, NodeState::infeasible,
+                             NodeState::feasible};
+  for (const NodeState node : first) {
+    state_.node_states = {node, node == NodeState::capped ? NodeState::infeasible : NodeState::free};
+    step();
+  }
+  EXPECT_DOUBLE_EQ(real("node_switch_rate_hz"), 375.0);
+}
+
+// Force magnitudes 1, 2, 1, 2, 1, 2: second differences are all 2, the mean square is 2.5.
+TEST_F(ProbesTest, ForceOfEachLaw) {
+  addLaws({"hc", "linear"});
+  start();
+  for (int i = 0; i < 6; ++i) {
+    state_.forces[0] = {Vec3(0, i % 2 == 0 ? 1.0 : -2.0, 0), 7.0, -0.5, 3};
+    state_.forces[1] = {Vec3(0, 0, 4.0), 1.0, 0.0, 0};
+    step();
+  }
+  EXPECT_EQ(value("force", 1), -2);
+  EXPECT_EQ(value("force", 5), 4);
+  EXPECT_EQ(value("force_elastic", 0), 7);
+  EXPECT_EQ(value("force_viscous", 0), -0.5);
+  EXPECT_EQ(value("adhesion_clamped", 0), 3);
+  EXPECT_EQ(real("max_force_N"), 2);
+  EXPECT_EQ(real("max_force_hc_N"), 2);
+  EXPECT_EQ(real("max_force_linear_N"), 4);
+  EXPECT_DOUBLE_EQ(real("force_roughness"), 2 / std::sqrt(2.5));
+  EXPECT_DOUBLE_EQ(real("force_roughness_hc"), 2 / std::sqrt(2.5));
+  EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
+}
+
+// Box 0.1 m on edge, 8 vertices of 1 kg moving with (1, -2, 2) m/s: 9 / 2 J each.
+TEST_F(ProbesTest, EnergyMomentumAndSignedVolume) {
+  start();
+  state_.velocities_m_s.assign(8, Vec3(1, -2, 2));
+  state_.masses_kg[0] = 3;
+  step();
+  EXPECT_DOUBLE_EQ(value("kinetic_energy"), 45);
+  EXPECT_DOUBLE_EQ(value("momentum", 0), 10);
+  EXPECT_DOUBLE_EQ(value("momentum", 1), -20);
+  EXPECT_DOUBLE_EQ(value("momentum", 2), 20);
+  EXPECT_NEAR(value("volume"), 1e-3, 1e-15);
+  for (Vec3& vertex : state_.positions_m) vertex.z() *= -2;
+  step();
+  EXPECT_NEAR(value("volume"), -2e-3, 1e-15);
+}
+
+TEST_F(ProbesTest, TimingLeavesTheInitialStateOut) {
+  start();
+  state_.timing = {kNaN, kNaN};
+  step();
+  EXPECT_TRUE(std::isnan(value("timing/step_time_us")));
+  for (int i = 100; i >= 1; --i) {
+    state_.timing = {static_cast<double>(i), 0.25 * i};
+    step();
+  }
+  EXPECT_DOUBLE_EQ(real("timing/mean_step_us"), 50.5);
+  EXPECT_EQ(real("timing/p50_step_us"), 50);
+  EXPECT_EQ(real("timing/p99_step_us"), 99);
+  EXPECT_EQ(real("timing/max_step_us"), 100);
+  EXPECT_DOUBLE_EQ(real("timing/mean_collision_us"), 50.5 / 4);
+  EXPECT_DOUBLE_EQ(real("timing/collision_share"), 0.25);
+  EXPECT_DOUBLE_EQ(real("timing/real_time_factor"), 1000 / 50.5);
+}
+
+TEST_F(ProbesTest, StepsAndHashOfTheLastState) {
+  start();
+  step();
+  step();
+  state_.velocities_m_s[7] = Vec3(0, 0, 1e-300);
+  step();
+  EXPECT_EQ(count("steps"), 2);
+  EXPECT_EQ(std::get<std::string>(scalar("final_state_hash").value),
+            stateHash(state_.positions_m, state_.velocities_m_s));
+}
+
+// Reference values from an independent implementation of FNV-1a.
+TEST(StateHash, IsFnv1aOverLittleEndianDoubles) {
+  EXPECT_EQ(stateHash({}, {}), "cbf29ce484222325");
+  EXPECT_EQ(stateHash({Vec3(1, 2, 3)}, {Vec3(0, -1.5, 0)}), "e54d0f6ce1dd33e5");
+  EXPECT_EQ(stateHash({Vec3(1, 2, 3)}, {Vec3(-0.0, -1.5, -0.0)}), "e54d0f6ce1dd33e5");
+  EXPECT_NE(stateHash({Vec3(1, 2, 3)}, {Vec3(0, 1.5, 0)}), "e54d0f6ce1dd33e5");
+  EXPECT_EQ(stateHash({Vec3(kNaN, 0, 0)}, {}), stateHash({Vec3(-kNaN, 0, 0)}, {}));
+}
+
+TEST(Statistics, RoughnessNeedsThreeValuesAndAForce) {
+  Roughness roughness;
+  EXPECT_TRUE(std::isnan(roughness.value()));
+  for (int i = 0; i < 5; ++i) roughness.add(0.0);
+  EXPECT_TRUE(std::isnan(roughness.value()));
+  roughness.add(kNaN);
+  EXPECT_TRUE(std::isnan(roughness.value()));
+}
+
+// A sine of angular frequency w per sample: the second difference is 2 - 2 cos(w) times the sine itself.
+TEST(Statistics, RoughnessOfASine) {
+  Roughness roughness;
+  for (int i = 0; i < 200'000; ++i) roughness.add(std::sin(0.3 * i));
+  EXPECT_NEAR(roughness.value(), 2 - 2 * std::cos(0.3), 1e-6);
+}
+
+TEST(Statistics, MaximumKeepsNaN) {
+  RunningMax max;
+  EXPECT_TRUE(std::isnan(max.value()));
+  max.add(-3);
+  EXPECT_EQ(max.value(), -3);
+  max.add(kNaN);
+  max.add(5);
+  EXPECT_TRUE(std::isnan(max.value()));
+}
+
+TEST(Statistics, PercentileIsTheNearestRank) {
+  EXPECT_TRUE(std::isnan(percentile({}, 50)));
+  EXPECT_EQ(percentile({7}, 99), 7);
+  EXPECT_EQ(percentile({3, 1, 2}, 50), 2);
+  EXPECT_EQ(percentile({4, 3, 2, 1}, 50), 2);
+  EXPECT_EQ(percentile({4, 3, 2, 1}, 51), 3);
+}
+
+}  // namespace
+}  // namespace fissure

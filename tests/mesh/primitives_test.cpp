@@ -1,0 +1,134 @@
+#include "mesh/primitives.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "mesh/check.h"
+#include "mesh/place.h"
+
+namespace fissure {
+namespace {
+
+/// Undirected edges, counted without the code under test.
+std::size_t countEdges(const TriangleMesh& mesh) {
+  std::set<std::pair<int, int>> edges;
+  for (const Face& face : mesh.faces)
+    for (std::size_t k = 0; k < 3; ++k) edges.insert(std::minmax(int(face[k]), int(face[(k + 1) % 3])));
+  return edges.size();
+}
+
+/// Faces whose normal does not point away from the origin; right for any star-shaped surface around it.
+int countInwardFaces(const TriangleMesh& mesh) {
+  int inward = 0;
+  for (const auto& [a, b, c] : mesh.faces) {
+    const Vec3 &p = mesh.vertices_m[a], &q = mesh.vertices_m[b], &r = mesh.vertices_m[c];
+    if (!((q - p).cross(r - p).dot(p + q + r) > 0)) ++inward;
+  }
+  return inward;
+}
+
+TEST(Sphere, HasTheCountsOfASubdividedOctahedron) {
+  struct Count {
+    int subdivisions;
+    std::size_t vertices, faces;
+  };
+  // 2 is the paper's sphere, 3 the finer one of METHOD M1.
+  for (const Count& count :
+       {Count{0, 6, 8}, Count{1, 18, 32}, Count{2, 66, 128}, Count{3, 258, 512}, Count{4, 1026, 2048}}) {
+    const TriangleMesh sphere = makeSphere(0.03, count.subdivisions);
+    EXPECT_EQ(sphere.vertices_m.size(), count.vertices);
+    EXPECT_EQ(sphere.faces.size(), count.faces);
+    const auto euler = static_cast<long>(sphere.vertices_m.size() + sphere.faces.size()) -
+                       static_cast<long>(countEdges(sphere));
+    EXPECT_EQ(euler, 2);
+    EXPECT_EQ(countInwardFaces(sphere), 0);
+    EXPECT_EQ(findDefects(sphere), std::vector<std::string>{});
+  }
+}
+
+TEST(Sphere, HasEveryVertexAtItsRadius) {
+  for (const Vec3& vertex : makeSphere(0.03, 4).vertices_m) EXPECT_NEAR(vertex.norm(), 0.03, 1e-16);
+}
+
+TEST(Sphere, HalvesGreatCircleEdgesEvenly) {
+  // Twice subdivided: the four edges between +x and +y are arcs of 22.5 degrees, so this vertex exists.
+  const double angle = std::numbers::pi / 8;
+  const Vec3 wanted(std::cos(angle), std::sin(angle), 0);
+  double nearest = 1;
+  for (const Vec3& vertex : makeSphere(1, 2).vertices_m)
+    nearest = std::min(nearest, (vertex - wanted).norm());
+  EXPECT_LT(nearest, 1e-15);
+}
+
+TEST(Sphere, WithoutSubdivisionIsAnOctahedronOfExactVolume) {
+  EXPECT_DOUBLE_EQ(signedVolume_m3(makeSphere(0.5, 0)), 4.0 / 3.0 * 0.125);
+}
+
+TEST(Sphere, VolumeConvergesToTheBallsWithOrderTwo) {
+  const double ball_m3 = 4.0 / 3.0 * std::numbers::pi * std::pow(0.03, 3);
+  double previous_error = ball_m3 - signedVolume_m3(makeSphere(0.03, 3));
+  for (int subdivisions = 4; subdivisions <= 7; ++subdivisions) {
+    const double error = ball_m3 - signedVolume_m3(makeSphere(0.03, subdivisions));
+    EXPECT_GT(error, 0);  // inscribed
+    EXPECT_NEAR(std::log2(previous_error / error), 2.0, 0.02);
+    previous_error = error;
+  }
+  EXPECT_LT(previous_error, 2e-4 * ball_m3);
+}
+
+TEST(Box, HasItsSizeVolumeAndOutwardFaces) {
+  // The paper's spatula: 40 x 2 x 15 mm.
+  const TriangleMesh box = makeBox({0.04, 0.002, 0.015});
+  EXPECT_EQ(box.vertices_m.size(), 8u);
+  EXPECT_EQ(box.faces.size(), 12u);
+  EXPECT_EQ(countEdges(box), 18u);
+  EXPECT_EQ(countInwardFaces(box), 0);
+  EXPECT_EQ(findDefects(box), std::vector<std::string>{});
+  for (const Vec3& corner : box.vertices_m) EXPECT_EQ(corner.cwiseAbs(), Vec3(0.02, 0.001, 0.0075));
+  EXPECT_DOUBLE_EQ(signedVolume_m3(makeBox({2, 4, 8})), 64.0);
+  EXPECT_NEAR(signedVolume_m3(box), 0.04 * 0.002 * 0.015, 1e-20);
+}
+
+BodySettings bodyOf(decltype(BodySettings::shape) shape) {
+  return BodySettings{.name = "body", .shape = std::move(shape), .material = {}, .solver = {}};
+}
+
+TEST(PlaceBody, TurnsAboutTheShapesOriginThenMoves) {
+  // One triangle; a quarter turn about z takes +x to +y. Moving first would give (-2, 1, 3) for the second
+  // vertex.
+  BodySettings body = bodyOf(TrianglesShape{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}});
+  body.position_m = {1, 2, 3};
+  body.orientation = Quat(Eigen::AngleAxisd(std::numbers::pi / 2, Vec3::UnitZ()));
+  const TriangleMesh placed = placeBody(body);
+  ASSERT_EQ(placed.vertices_m.size(), 3u);
+  EXPECT_LT((placed.vertices_m[0] - Vec3(1, 2, 3)).norm(), 1e-15);
+  EXPECT_LT((placed.vertices_m[1] - Vec3(1, 3, 3)).norm(), 1e-15);
+  EXPECT_LT((placed.vertices_m[2] - Vec3(0, 2, 3)).norm(), 1e-15);
+  EXPECT_EQ(placed.faces, (std::vector<Face>{{0, 1, 2}}));
+}
+
+TEST(PlaceBody, WithoutAPoseLeavesGivenTrianglesBitForBit) {
+  const TriangleMesh box = makeBox({0.1, 0.2, 0.3});
+  EXPECT_EQ(placeBody(bodyOf(TrianglesShape{box.vertices_m, box.faces})).vertices_m, box.vertices_m);
+}
+
+TEST(PlaceBody, KeepsSizeUnderARoundedQuaternion) {
+  // 0.7071 twice has a norm of 0.99998; a rotation by it as it stands would change the box's size.
+  BodySettings body = bodyOf(BoxShape{{1, 2, 3}});
+  body.orientation = Quat(0.7071, 0, 0.7071, 0);
+  EXPECT_NEAR(signedVolume_m3(placeBody(body)), 6.0, 1e-14);
+}
+
+TEST(PlaceBody, MakesTheShapeThatIsNamed) {
+  BodySettings body = bodyOf(SphereShape{0.03, 2});
+  body.position_m = {0, 0.03, 0};
+  EXPECT_EQ(placeBody(body).faces, makeSphere(0.03, 2).faces);
+  EXPECT_NEAR(placeBody(body).vertices_m[3].y(), 0, 1e-18);  // its south pole stands on the ground
+  EXPECT_EQ(placeBody(bodyOf(BoxShape{{0.1, 0.2, 0.3}})).vertices_m, makeBox({0.1, 0.2, 0.3}).vertices_m);
+}
+
+}  // namespace
+}  // namespace fissure

@@ -1,0 +1,184 @@
+// What a good run leaves: a result, a table, and nothing else.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "program.h"
+#include "scenarios.h"
+#include "store/result_file.h"
+
+namespace fissure::programs {
+namespace {
+
+using Names = std::vector<std::string>;
+
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+std::vector<std::string> wordsOf(const std::string& line) {
+  std::istringstream stream(line);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(Run, WritesOneFileBelowResults) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{pipeline: default}, {pipeline: fukuhara}]"));
+  const Outcome outcome = runFissure(folder, {"run", "s.yaml"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "") << "no terminal, less than five seconds: no progress line";
+  EXPECT_EQ(folder.names(), (Names{"results", "s.yaml"}));
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "results"), {}), 1);
+  const ResultInfo info = readResultInfo(folder / "results/press.h5");
+  EXPECT_TRUE(info.complete);
+  ASSERT_EQ(info.pipelines.size(), 2u);
+  EXPECT_EQ(info.pipelines[0].name, "default");
+  EXPECT_EQ(info.pipelines[1].name, "fukuhara");
+  for (const PipelineResult& pipeline : info.pipelines) EXPECT_EQ(pipeline.status.status, "ok");
+}
+
+// Header of three lines, one line a pipeline, the last line says where the result is. Numbers end in one
+// column.
+TEST(Run, PrintsAnAlignedTable) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{name: a_long_name, pipeline: default}, {pipeline: fukuhara}]",
+                                       "0.03", "force: [{model: hunt_crossley}]\n"));
+  const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  const std::vector<std::string> lines = linesOf(outcome.out);
+  ASSERT_EQ(lines.size(), 6u) << outcome.out;
+  EXPECT_EQ(lines[3].size(), lines[4].size()) << outcome.out;
+  EXPECT_EQ(lines[0].size(), lines[4].size()) << outcome.out;
+  EXPECT_EQ(lines[5], "result: out.h5");
+  const std::vector<std::string> cells = wordsOf(lines[4]);
+  ASSERT_EQ(cells.size(), 12u) << lines[4];
+  EXPECT_EQ(cells[0], "fukuhara");
+  EXPECT_EQ(cells[1], "ok");
+  for (std::size_t i = 2; i < cells.size(); ++i)
+    EXPECT_NE(cells[i], "-") << "column " << i << "\n" << outcome.out;
+  EXPECT_NE(runFissure(folder, {"info", "out.h5"}).out.find(lines[3] + "\n" + lines[4]), std::string::npos);
+}
+
+TEST(Run, JsonSaysTheSameAsTheFile) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--json"});
+  const nlohmann::json json = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(json.at("exit_code"), 0);
+  const nlohmann::json& pipeline = json.at("results").at(0).at("pipelines").at(0);
+  EXPECT_EQ(pipeline.at("status"), "ok");
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  for (const SummaryValue& value : info.pipelines.at(0).summary)
+    if (const double* real = std::get_if<double>(&value.value); real && std::isfinite(*real))
+      EXPECT_EQ(pipeline.at("summary").at(value.name), *real) << value.name;
+  EXPECT_GT(pipeline.at("summary").at("timing/mean_step_us"), 0);
+  const nlohmann::json again = nlohmann::json::parse(runFissure(folder, {"info", "out.h5", "--json"}).out);
+  EXPECT_EQ(again, json.at("results").at(0));
+}
+
+TEST(Run, ForceReplaces) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  folder.write("out.h5", "old");
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--force"}).code, 0);
+  EXPECT_TRUE(readResultInfo(folder / "out.h5").complete);
+  EXPECT_EQ(folder.names(), (Names{"out.h5", "s.yaml"}));
+}
+
+TEST(Run, SelectsPipelinesAndOverridesValues) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{pipeline: default}, {pipeline: raycast}, {pipeline: fukuhara}]"));
+  const Outcome outcome = runFissure(
+      folder, {"run", "--pipeline", "fukuhara", "--pipeline", "default", "--set", "time.duration_s=0.01",
+               "--set", "tools.spatula.nodes.resolution=[3, 3]", "-o", "out.h5", "s.yaml"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  ASSERT_EQ(info.pipelines.size(), 2u);
+  EXPECT_EQ(info.pipelines[0].name, "default");
+  EXPECT_EQ(info.pipelines[1].name, "fukuhara");
+  const auto time = std::find_if(info.datasets.begin(), info.datasets.end(), [](const DatasetInfo& dataset) {
+    return dataset.path == "/pipelines/fukuhara/time";
+  });
+  ASSERT_NE(time, info.datasets.end());
+  EXPECT_EQ(time->shape, std::vector<unsigned long long>{11}) << "ten steps and the initial state";
+  EXPECT_NE(info.scenario_resolved.find("0.01"), std::string::npos);
+  EXPECT_EQ(info.scenario_resolved.find("raycast"), std::string::npos);
+}
+
+TEST(Run, SeveralScenariosSideBySide) {
+  const Folder folder;
+  folder.write("a.yaml",
+               with(pressScenario("[{pipeline: default}, {pipeline: fukuhara}]"), "name: press", "name: a"));
+  folder.write("b.yaml", with(pressScenario(), "name: press", "name: b"));
+  const Outcome outcome = runFissure(folder, {"run", "a.yaml", "b.yaml", "-j", "2", "--json"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("results").size(), 2u);
+  EXPECT_EQ(readResultInfo(folder / "results/a.h5").pipelines.size(), 2u);
+  EXPECT_EQ(readResultInfo(folder / "results/b.h5").pipelines.size(), 1u);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "results"), {}), 2);
+}
+
+std::string provenanceOf(const ResultInfo& info, const std::string& name) {
+  for (const auto& [key, value] : info.provenance)
+    if (key == name) return value;
+  return "";
+}
+
+TEST(Run, ProvenanceNamesEverythingAndNoMachine) {
+  const Folder folder;
+  folder.write("base.yaml", pressScenario());
+  folder.write("s.yaml", "base: base.yaml\nname: child\n");
+  ASSERT_EQ(
+      runFissure(folder, {"run", (folder / "s.yaml").string(), "-o", (folder / "out.h5").string()}).code, 0);
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  for (const char* name : {"version", "commit", "dirty", "scenario_hash", "input_hashes", "command_line",
+                           "started_utc", "ended_utc", "wall_time_s", "cpu_model", "cpu_count", "os",
+                           "compiler", "compiler_flags", "build_type", "hdf5_version", "yaml_cpp_version"})
+    EXPECT_NE(provenanceOf(info, name), "") << name;
+  EXPECT_EQ(provenanceOf(info, "command_line"), "fissure run s.yaml -o out.h5");
+  const std::string inputs = provenanceOf(info, "input_hashes");
+  EXPECT_NE(inputs.find("s.yaml=fnv1a64:"), std::string::npos) << inputs;
+  EXPECT_NE(inputs.find("base.yaml=fnv1a64:"), std::string::npos) << inputs;
+  for (const auto& [name, value] : info.provenance)
+    EXPECT_EQ(value.find(folder.path().string()), std::string::npos) << name << ": " << value;
+  EXPECT_EQ(info.scenario_resolved.find(folder.path().string()), std::string::npos);
+}
+
+TEST(Run, TwoRunsIntoOneFileAreRefused) {
+  const Folder folder;
+  folder.write("s.yaml", endlessScenario());
+  Program first(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  ASSERT_GT(first.waitForWorker(), 0);
+  const Outcome second = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  EXPECT_EQ(second.code, 2);
+  EXPECT_EQ(second.err, "out.h5: is being written by another run\n");
+}
+
+// stderr is a terminal of 100 columns: a line is rewritten in place, never longer than that, and gone at the
+// end.
+TEST(Run, ProgressLineOnATerminal) {
+  const Folder folder;
+  folder.write("s.yaml",
+               pressScenario("[{pipeline: default}, {pipeline: fukuhara, time_limit_s: 1}]", "10000"));
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "--pipeline", "fukuhara"},
+              {.file_bytes = {}, .error_is_terminal = true});
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("\r\x1b[K0/1 runs, fukuhara "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" steps/s, "), std::string::npos);
+  EXPECT_TRUE(outcome.err.ends_with("\r\x1b[K")) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), std::string::npos);
+  std::size_t longest = 0;
+  for (std::size_t at = 0, next = 0; next != std::string::npos; at = next + 1) {
+    next = outcome.err.find('\r', at);
+    longest = std::max(longest, std::min(next, outcome.err.size()) - at);
+  }
+  EXPECT_LE(longest, 100 + 3u);
+}
+
+}  // namespace
+}  // namespace fissure::programs
