@@ -26,9 +26,10 @@ struct Series {
   std::string units;      ///< "m", "N", "1", "us" ...
   std::string long_name;  ///< one line for people
   ValueType type = ValueType::real;
-  std::vector<std::string> axes;  ///< names of RecordAxis beside time, slowest first; empty: one value a step
-  std::size_t first_column = 0;   ///< set by RecordLayout
-  std::size_t columns = 1;        ///< set by RecordLayout
+  /// Names of RecordAxis beside time, slowest first; empty: one value a step.
+  std::vector<std::string> axes = {};
+  std::size_t first_column = 0;  ///< set by RecordLayout
+  std::size_t columns = 1;       ///< set by RecordLayout
 };
 
 /// The columns of a record: which series a run has, in order. Only what the scenario asked for is present.

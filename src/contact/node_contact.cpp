@@ -212,8 +212,7 @@ void NodeContact::displace(std::span<Vec3> positions_m, std::span<const double> 
 // What node and tissue approached in the step is always undone; overlap beyond that (a tool that starts
 // inside, an edge-on blade) only up to the limit of one step.
 void NodeContact::limitDisplacement(NodeCandidate& contact) const {
-  if (!settings_.max_displacement_m) return;
-  const double allowed_m = std::max(contact.approach_m, 0.0) + *settings_.max_displacement_m;
+  const double allowed_m = std::max(contact.approach_m, 0.0) + settings_.max_displacement_m;
   if (contact.depth_m + contact.target_m <= allowed_m) return;
   contact.target_m = allowed_m - contact.depth_m;
   contact.state = NodeState::capped;

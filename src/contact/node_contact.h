@@ -32,9 +32,9 @@ struct NodeContactSettings {
   bool association = true;  ///< false: ray casting only, step one without step two (paper, Fig. 3 right)
   int sweeps = 10;          ///< Gauss-Seidel sweeps of enforced displacement
   std::optional<double>
-      ray_length_m;  ///< default: each body's extent, at least the node's travel in the step
-  std::optional<double> max_displacement_m;  ///< beyond the approach of the step itself; default: unlimited
-  std::vector<double> margins_m;             ///< one a body: how far in front of a node the tissue is held
+      ray_length_m;                   ///< default: each body's extent, at least the node's travel in the step
+  double max_displacement_m = 0.005;  ///< of tissue at a contact, beyond the approach of the step itself
+  std::vector<double> margins_m;      ///< one a body: how far in front of a node the tissue is held
 };
 
 /// The collision method of the paper on plain arrays: node ray casting (step one), feasibility by node

@@ -1,4 +1,4 @@
-# Run at every build: writes OUTPUT, a header with the checkout's commit, and touches it only when that has changed.
+# Run at every build: writes OUTPUT, a header with the checkout's commit; touches it only when that changed.
 set(commit unknown)
 set(dirty 0)
 find_program(GIT git)

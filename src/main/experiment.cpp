@@ -27,6 +27,14 @@ void writeText(const fs::path& file, const std::string& text) {
   if (!stream.flush()) throw RunError(file.string() + ": cannot write, is the disk full?");
 }
 
+/// `text` without the names of `folder` in it: what a worker says is stored with the result, which must not
+/// depend on where it was made.
+std::string without(std::string text, const fs::path& folder) {
+  const std::string name = (folder / "").string();
+  for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos;) text.erase(at, name.size());
+  return text;
+}
+
 /// What a worker that ended well says about its run.
 RunStatus statusIn(const fs::path& part, const std::string& name) {
   try {
@@ -71,6 +79,8 @@ void Experiment::noteStart() {
 void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
   PartResult& result = results_[index];
   result.status = status.status == "ok" ? statusIn(partOf(index), result.pipeline.name) : status;
+  const fs::path folder = fs::absolute(checked_.loaded.scenario.directory);
+  result.status.detail = without(without(result.status.detail, slot_->parts()), folder);
   if (result.status.status == "ok" || result.status.status == "non_finite") {
     result.part = partOf(index);
   } else {

@@ -95,7 +95,7 @@ std::string seconds(double value) {
 
 std::string commandLine(int argc, const char* const* argv) {
   std::string text = "fissure";
-  for (int i = 1; i < argc; ++i) text += " " + quoted(withoutFolders(argv[i]));
+  for (int i = 1; i < argc; ++i) text.append(1, ' ').append(quoted(withoutFolders(argv[i])));
   return text;
 }
 

@@ -124,8 +124,8 @@ void findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
       continue;
     }
     ++i;
-    for (int k = 0; k < node.count; ++k) {
-      const std::size_t index = static_cast<std::size_t>(node.first + k);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k) {
+      const std::size_t index = static_cast<std::size_t>(node.first) + k;
       crossTriangle(tree.previous()[index], tree.triangles()[index], path, crossings);
     }
   }

@@ -66,9 +66,9 @@ double distance_m(const SurfaceTree& tree, const Vec3& point, const DistanceSear
       if (near.second < best) pending[waiting++] = near;
       continue;
     }
-    for (int k = 0; k < node.count; ++k) {
+    for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k) {
       const double squared =
-          distanceSquared(tree.triangles()[static_cast<std::size_t>(node.first + k)], point);
+          distanceSquared(tree.triangles()[static_cast<std::size_t>(node.first) + k], point);
       if (!(squared < best)) continue;
       best = squared;
       found = true;

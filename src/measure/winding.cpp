@@ -63,8 +63,8 @@ std::optional<int> countAbove(const SurfaceTree& tree, const Vec3& point, std::s
       continue;
     }
     ++i;
-    for (int k = 0; k < node.count; ++k) {
-      const std::size_t index = static_cast<std::size_t>(node.first + k);
+    for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k) {
+      const std::size_t index = static_cast<std::size_t>(node.first) + k;
       if (index == left_out) continue;
       const TreeTriangle& t = tree.triangles()[index];
       const int sign =

@@ -67,13 +67,14 @@ void fillRectangle(Image& image, const Point2& top_left_px, const Point2& bottom
 Image downsample(std::span<const std::uint8_t> rgba, int width_px, int height_px, int scale) {
   Image image{width_px, height_px, {}};
   image.rgb.resize(static_cast<std::size_t>(width_px) * height_px * 3);
+  const std::ptrdiff_t pixel_bytes = 4;
   const std::size_t row_bytes = static_cast<std::size_t>(width_px) * scale * 4;
   const unsigned samples = static_cast<unsigned>(scale * scale);
   std::uint8_t* out = image.rgb.data();
   for (int y = 0; y < height_px; ++y) {
     const std::uint8_t* block =
         rgba.data() + row_bytes * static_cast<std::size_t>((height_px - 1 - y) * scale);
-    for (int x = 0; x < width_px; ++x, block += 4 * scale) {
+    for (int x = 0; x < width_px; ++x, block += pixel_bytes * scale) {
       for (int channel = 0; channel < 3; ++channel) {
         unsigned sum = samples / 2;
         for (int i = 0; i < scale; ++i) {

@@ -126,7 +126,7 @@ void drawNodes(Image& image, const Camera& camera, const Scene& scene, const Sta
   for (std::size_t tool = 0; tool < scene.tools.size(); ++tool) {
     const ToolNodes& nodes = scene.tools[tool].nodes;
     for (int i = 0; i < nodes.size(); ++i) {
-      const std::size_t index = static_cast<std::size_t>(scene.tools[tool].first_node + i);
+      const std::size_t index = static_cast<std::size_t>(scene.tools[tool].first_node) + i;
       const Vec3 placed_m = state.tools[tool].pose.toScene(nodes.positions_m[i]);
       const auto at = drawable(placed_m) ? camera.project(placed_m) : std::nullopt;
       if (at && index < state.node_states.size()) {

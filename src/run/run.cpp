@@ -126,7 +126,7 @@ RunStatus Run::execute(const Outputs& outputs) {
     if (outputs.progress) outputs.progress(step, steps_);
   }
 
-  Summary summary = {{"steps", static_cast<long long>(step)}, {"engine_version", engineVersion()}};
+  Summary summary = {{"engine_version", engineVersion()}};
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.status = "non_finite";

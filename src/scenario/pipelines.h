@@ -21,9 +21,9 @@ struct PipelineSettings {
   /// L; default: the extent of each body at rest, at least the travel in a step.
   std::optional<double> ray_length_m;
   int sweeps = 10;  ///< Gauss-Seidel sweeps of enforced displacement, 1..1000
-  /// Of a vertex in one step; default: half the body's extent, or the tool's travel in the step where that is
-  /// more.
-  std::optional<double> max_displacement_m;
+  /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
+  /// feasibility): a tool that starts inside is pushed free over several steps. > 0
+  double max_displacement_m = 0.005;
 
   double time_limit_s = 3600;  ///< wall clock; a run beyond it is stopped and recorded as "timeout"; > 0
 

@@ -1,5 +1,6 @@
 #include "store/frame_images.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -52,12 +53,13 @@ void addFrameImages(hid_t group, const std::string& group_path) {
   images.addIndex("image_y", stack[1]);
   images.addIndex("image_x", stack[2]);
   images.addLabels("channel", h5::readTexts(h5::openDataset(group, "channel")));
-  for (hsize_t frame = 0; frame < stack[0]; ++frame) {
+  const hsize_t count = std::min(stack[0], most_frame_images);
+  for (hsize_t frame = 0; frame < count; ++frame) {
     addImage(images.id(), imageName(frame), frame, group_path + "/frames", stack);
   }
   // Scales first: what is marked as an image takes none.
   attachScales(images.id());
-  for (hsize_t frame = 0; frame < stack[0]; ++frame) {
+  for (hsize_t frame = 0; frame < count; ++frame) {
     markAsImage(h5::openDataset(images.id(), imageName(frame)));
   }
 }

@@ -65,17 +65,18 @@ void copyAttributes(hid_t from, hid_t to) {
 }
 
 // Link by link: copying whole groups would order their links by name.
-void copyContents(hid_t from, hid_t to, const Lengths& lengths) {
+void copyContents(hid_t from, hid_t to, const Lengths& lengths, const h5::OutputFile& file) {
   for (const std::string& name : h5::childNames(from)) {
     const h5::Id child = h5::openObject(from, name);
     if (h5::isGroup(child)) {
       const h5::Id copy = h5::createGroup(to, name);
       copyAttributes(child, copy);
-      copyContents(child, copy, lengths);
+      copyContents(child, copy, lengths, file);
       continue;
     }
     h5::check(H5Ocopy(from, name.c_str(), to, name.c_str(), H5P_DEFAULT, H5P_DEFAULT), "cannot copy dataset",
               name);
+    file.checkWritten();
     cut(h5::openDataset(to, name), lengths);
   }
 }
@@ -89,8 +90,8 @@ PartReader::PartReader(const std::filesystem::path& path, const std::string& pip
   checkDatasets(group_, committedLengths(group_));
 }
 
-void PartReader::copyTo(hid_t group) const {
-  copyContents(group_, group, committedLengths(group_));
+void PartReader::copyTo(hid_t group, const h5::OutputFile& file) const {
+  copyContents(group_, group, committedLengths(group_), file);
 }
 
 }  // namespace fissure

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "store/h5.h"
+#include "store/output_file.h"
 
 namespace fissure {
 
@@ -17,7 +18,7 @@ class PartReader {
   /// Copies datasets, subgroups and their attributes into `group`, but not the attributes of the pipeline's
   /// group itself, and cuts what a killed worker left unfinished: every growing axis ends at its last written
   /// time.
-  void copyTo(hid_t group) const;
+  void copyTo(hid_t group, const h5::OutputFile& file) const;
 
  private:
   h5::Id file_;

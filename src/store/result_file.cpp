@@ -76,13 +76,13 @@ std::optional<PartReader> openPart(const PartResult& result, RunStatus& status) 
   }
 }
 
-void writePipeline(hid_t pipelines, const PartResult& result) {
+void writePipeline(const h5::OutputFile& file, hid_t pipelines, const PartResult& result) {
   RunStatus status = result.status;
   const std::optional<PartReader> part = openPart(result, status);
   const h5::Id group = h5::createGroup(pipelines, result.pipeline.name);
   describePipeline(group, result.pipeline, status);
   if (!part) return;
-  part->copyTo(group);
+  part->copyTo(group, file);
   attachScales(group);
   if (h5::exists(group, "frames")) addFrameImages(group, "/pipelines/" + result.pipeline.name);
 }
@@ -93,10 +93,7 @@ void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const
   writeProvenance(file, loaded, provenance);
   {
     const h5::Id pipelines = h5::createGroup(file, "pipelines");
-    for (const PartResult& part : parts) {
-      writePipeline(pipelines, part);
-      file.checkWritten();
-    }
+    for (const PartResult& part : parts) writePipeline(file, pipelines, part);
   }
   h5::setAttribute(file, "complete", std::int32_t{1});
 }

@@ -6,9 +6,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 #include <limits>
+#include <map>
 #include <new>
 
 #include "store/h5.h"
@@ -25,6 +27,9 @@ struct DriverInfo {
   DiskErrors* errors = nullptr;
 };
 
+constexpr haddr_t page_size = 4096;
+using Page = std::array<char, page_size>;
+
 struct OpenFile : H5FD_t {
   OpenFile() : H5FD_t{} {}
   int descriptor = -1;
@@ -33,6 +38,7 @@ struct OpenFile : H5FD_t {
   dev_t device = 0;
   ino_t inode = 0;
   DiskErrors* errors = nullptr;
+  std::map<haddr_t, Page> unwritten;  ///< by page number: what HDF5 believes to be in the file
 
   bool broken() const { return errors->first_errno != 0; }
   void remember(int reason) {
@@ -113,13 +119,11 @@ haddr_t fileEnd(const H5FD_t* file, H5FD_mem_t) {
   return ours(file).file_end;
 }
 
-herr_t readBytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
-  const OpenFile& open = ours(file);
-  auto* to = static_cast<char*>(buffer);
+bool readFromDisk(int descriptor, haddr_t address, std::size_t size, char* to) {
   while (size > 0) {
-    const ssize_t got = ::pread(open.descriptor, to, size, static_cast<off_t>(address));
+    const ssize_t got = ::pread(descriptor, to, size, static_cast<off_t>(address));
     if (got < 0 && errno == EINTR) continue;
-    if (got < 0) return failed;
+    if (got < 0) return false;
     if (got == 0) break;
     to += got;
     address += static_cast<haddr_t>(got);
@@ -127,23 +131,69 @@ herr_t readBytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t s
   }
   // HDF5 expects zeros beyond the end of the file.
   std::memset(to, 0, size);
-  return succeed;
+  return true;
 }
 
-herr_t writeBytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, const void* buffer) {
-  OpenFile& open = ours(file);
-  open.file_end = std::max<haddr_t>(open.file_end, address + size);
-  const auto* from = static_cast<const char*>(buffer);
-  while (size > 0 && !open.broken()) {
-    const ssize_t put = ::pwrite(open.descriptor, from, size, static_cast<off_t>(address));
+bool writeToDisk(int descriptor, haddr_t address, std::size_t size, const char* from) {
+  while (size > 0) {
+    const ssize_t put = ::pwrite(descriptor, from, size, static_cast<off_t>(address));
     if (put < 0 && errno == EINTR) continue;
-    if (put <= 0) {
-      open.remember(put < 0 ? errno : ENOSPC);
-      break;
-    }
+    if (put == 0) errno = ENOSPC;
+    if (put <= 0) return false;
     from += put;
     address += static_cast<haddr_t>(put);
     size -= static_cast<std::size_t>(put);
+  }
+  return true;
+}
+
+// Calls visit(page number, offset in the page, offset in the range, bytes) for each page of a range.
+template <typename Visit>
+void forEachPage(haddr_t address, std::size_t size, Visit visit) {
+  for (std::size_t done = 0; done < size;) {
+    const haddr_t number = (address + done) / page_size;
+    const auto offset = static_cast<std::size_t>((address + done) % page_size);
+    const std::size_t bytes = std::min<std::size_t>(page_size - offset, size - done);
+    visit(number, offset, done, bytes);
+    done += bytes;
+  }
+}
+
+void keepUnwritten(OpenFile& open, haddr_t address, std::size_t size, const char* from) {
+  forEachPage(address, size, [&](haddr_t number, std::size_t offset, std::size_t done, std::size_t bytes) {
+    const auto [page, is_new] = open.unwritten.try_emplace(number);
+    if (is_new) readFromDisk(open.descriptor, number * page_size, page_size, page->second.data());
+    std::copy_n(from + done, bytes, page->second.data() + offset);
+  });
+}
+
+herr_t readBytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t size, void* buffer) {
+  const OpenFile& open = ours(file);
+  auto* to = static_cast<char*>(buffer);
+  if (!readFromDisk(open.descriptor, address, size, to)) return failed;
+  if (open.unwritten.empty()) return succeed;
+  forEachPage(address, size, [&](haddr_t number, std::size_t offset, std::size_t done, std::size_t bytes) {
+    const auto page = open.unwritten.find(number);
+    if (page != open.unwritten.end()) std::copy_n(page->second.data() + offset, bytes, to + done);
+  });
+  return succeed;
+}
+
+herr_t writeBytes(H5FD_t* file, H5FD_mem_t kind, hid_t, haddr_t address, std::size_t size,
+                  const void* buffer) {
+  OpenFile& open = ours(file);
+  const auto* from = static_cast<const char*>(buffer);
+  open.file_end = std::max<haddr_t>(open.file_end, address + size);
+  if (!open.broken()) {
+    if (writeToDisk(open.descriptor, address, size, from)) return succeed;
+    open.remember(errno);
+  }
+  // HDF5 interprets what it reads back of its own structures, but never the values.
+  if (kind == H5FD_MEM_DRAW) return succeed;
+  try {
+    keepUnwritten(open, address, size, from);
+  } catch (const std::bad_alloc&) {
+    return failed;
   }
   return succeed;
 }

@@ -13,9 +13,10 @@ struct DiskErrors {
 };
 
 /// Makes `access` (file access properties) write through a file driver of ours, with ordinary POSIX files. It
-/// never tells HDF5 that a write failed: HDF5 1.10 crashes, prints or reports success when a full disk
-/// interrupts its flushing and closing. Instead the first failure is kept in `errors`, which must outlive the
-/// file, and nothing is written after it; whoever writes asks there. Throws RunError.
+/// never tells HDF5 that a write failed: HDF5 1.10 crashes or reports success when a full disk interrupts its
+/// flushing and closing. Instead the first failure is kept in `errors`, which must outlive the file; whoever
+/// writes asks there, soon. After it nothing more is written; HDF5's own structures stay readable from
+/// memory, so that it can close in peace. Throws RunError.
 void useWriteDriver(hid_t access, DiskErrors& errors);
 
 }  // namespace fissure::h5

@@ -1,4 +1,4 @@
-"""Exit 0 when two result files hold the same data, bit for bit, outside timing/ and provenance; else 1, saying where."""
+"""Exit 0 when two results hold the same data, bit for bit, outside timing/ and provenance; else 1."""
 import sys
 
 import h5py

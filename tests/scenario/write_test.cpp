@@ -130,7 +130,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   const auto& triangles = std::get<TrianglesShape>(s.bodies[2].shape);
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
-  EXPECT_EQ(s.pipelines[0], (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, 10, {}, 9}));
+  EXPECT_EQ(s.pipelines[0], (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, 10, 0.005, 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[2],
             (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, 11, 0.02, 3600}));

@@ -108,6 +108,20 @@ TEST(Result, HoldsOnlyWhatTheScenarioAskedFor) {
   }
 }
 
+// Views slow readers down by the square of their number; the stack of frames itself is never cut.
+TEST(Result, ThousandFramesHaveViews) {
+  const TemporaryFolder folder;
+  SampleRun run = makeSampleRun(4, true);
+  run.frames = 1001;
+  const auto path = folder / "sample.h5";
+  assembleResult(path, loadedSample(run), kProvenance, writeParts(folder, run));
+  EXPECT_EQ(readSeries(path, "/pipelines/default/frames").shape.at(0), 1001U);
+  const SeriesData last = readSeries(path, "/pipelines/default/frame_images/000999");
+  EXPECT_EQ(last.shape, (std::vector<std::size_t>{4, 5, 3}));
+  EXPECT_EQ(last.values.at(59), (50 * 999 + 10 * 3 + 3 * 4 + 2) % 256);
+  EXPECT_THROW(readSeries(path, "/pipelines/default/frame_images/001000"), InputError);
+}
+
 TEST(Result, MissingOrDamagedPartLeavesItsStatusAlone) {
   const TemporaryFolder folder;
   const SampleRun run = makeSampleRun(4, false);

@@ -1,0 +1,69 @@
+#!/usr/bin/env python3
+"""Frames of all pipelines of a result side by side, over their penetration depth and force.
+
+    /usr/bin/python3 scripts/montage.py results/spatula_press.h5 -o results/spatula_press.png [--at 0.1 0.2 0.55]
+"""
+import argparse
+
+import h5py
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+import xarray as xr
+
+# Okabe and Ito's colours, which colour-blind readers can tell apart.
+COLOURS = ["#E69F00", "#56B4E9", "#CC79A7", "#009E73", "#0072B2", "#D55E00"]
+
+
+def nearest(times, wanted):
+    return int(np.argmin(np.abs(times - wanted)))
+
+
+def draw_frames(axes, result, names, instants):
+    for row, name in enumerate(names):
+        group = result[f"pipelines/{name}"]
+        for column, instant in enumerate(instants):
+            axis = axes[row][column]
+            axis.set_axis_off()
+            if "frames" in group:
+                axis.imshow(group["frames"][nearest(group["frame_time"][:], instant)])
+
+
+def draw_curves(depth_axis, force_axis, path, names):
+    for colour, name in zip(COLOURS, names):
+        run = xr.open_dataset(path, group=f"pipelines/{name}")
+        depth_axis.plot(run.time, 1000 * run.penetration_depth, color=colour, label=name)
+        force = run.force.isel(law=0)
+        force_axis.plot(run.time, np.sqrt((force**2).sum("xyz")), color=colour, label=name)
+        law = str(run.law.values[0])
+    depth_axis.set_ylabel("penetration depth [mm]")
+    force_axis.set_ylabel(f"force, {law} [N]")
+    force_axis.set_yscale("symlog", linthresh=1)
+    for axis in (depth_axis, force_axis):
+        axis.set_xlabel("time [s]")
+        axis.grid(alpha=0.3)
+        axis.legend(frameon=False, fontsize=8)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("result")
+    parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("--at", type=float, nargs="+", help="instants in s (default: three of the run)")
+    arguments = parser.parse_args()
+    with h5py.File(arguments.result) as result:
+        names = [n for n, g in result["pipelines"].items() if "time" in g]
+        end = max(result[f"pipelines/{n}/time"][-1] for n in names)
+        instants = arguments.at or [0.3 * end, 0.55 * end, end]
+        figure = plt.figure(figsize=(4 * len(instants), 3 * len(names) + 3.2), constrained_layout=True)
+        upper, lower = figure.subfigures(2, 1, height_ratios=[3 * len(names), 3.2])
+        draw_frames(upper.subplots(len(names), len(instants), squeeze=False), result, names, instants)
+        draw_curves(*lower.subplots(1, 2), arguments.result, names)
+        figure.savefig(arguments.output, dpi=80)
+    print(f"picture: {arguments.output}")
+
+
+if __name__ == "__main__":
+    main()
