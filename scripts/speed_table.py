@@ -22,7 +22,8 @@ import matplotlib.pyplot as plt
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPEEDS_M_S = [0.02, 0.1, 0.5, 2, 10]
 STEPS_S = {"0.001": 0.001, "1/240": 1 / 240, "1/60": 1 / 60}
-COLOURS = {"default": "#E69F00", "default_tuned": "#56B4E9", "raycast": "#CC79A7", "fukuhara": "#009E73"}
+NODES_ONLY = "fukuhara, nodes only"
+COLOURS = {"default": "#E69F00", "default_tuned": "#56B4E9", "raycast": "#CC79A7", "fukuhara": "#009E73", NODES_ONLY: "#0072B2"}
 QUANTITIES = [
     "max_penetration_depth_m",
     "final_penetration_depth_m",
@@ -36,7 +37,7 @@ QUANTITIES = [
 ]
 
 
-def run(arguments, speed, step, resolution, pipelines):
+def run(arguments, speed, step, resolution, pipelines, extra=()):
     with tempfile.TemporaryDirectory() as folder:
         command = [ROOT / "build/release/fissure", "run", arguments.scenario, "-o", f"{folder}/result.h5"]
         command += ["--json", "--no-frames", "-j", str(arguments.jobs)]
@@ -48,6 +49,8 @@ def run(arguments, speed, step, resolution, pipelines):
         }
         for path, value in settings.items():
             command += ["--set", f"{path}={value}"]
+        for setting in extra:
+            command += ["--set", setting]
         for name in pipelines:
             command += ["--pipeline", name]
         finished = subprocess.run(command, stdout=subprocess.PIPE, check=False)
@@ -62,15 +65,24 @@ def scenario_pipelines(arguments):
     return [p["name"] for p in listed if p["name"] not in nodes], nodes
 
 
+def run_cell(arguments, speed, step, resolution, with_nodes, without_nodes):
+    """All pipelines as the scenario has them, and the full method as the paper has it: without contacts of vertices."""
+    results = run(arguments, speed, step, resolution, with_nodes + without_nodes)
+    paper = run(arguments, speed, step, resolution, ["fukuhara"], ["pipelines.fukuhara.vertex_contacts=false"])
+    for result in paper:
+        result["name"] = NODES_ONLY
+    return results + paper
+
+
 def measure(arguments):
     without_nodes, with_nodes = scenario_pipelines(arguments)
     rows = []
     for step_name in arguments.steps:
         for index, resolution in enumerate(arguments.nodes):
             for speed in SPEEDS_M_S:
-                pipelines = with_nodes + (without_nodes if index == 0 else [])
-                for result in run(arguments, speed, STEPS_S[step_name], resolution, pipelines):
-                    nodes = f"{resolution} x {resolution}" if result["name"] in with_nodes else "-"
+                once = without_nodes if index == 0 else []
+                for result in run_cell(arguments, speed, STEPS_S[step_name], resolution, with_nodes, once):
+                    nodes = "-" if result["name"] in without_nodes else f"{resolution} x {resolution}"
                     row = {"step_s": step_name, "pipeline": result["name"], "nodes": nodes, "speed_m_s": speed}
                     row["status"] = result["status"]
                     row.update({q: result["summary"].get(q) for q in QUANTITIES})

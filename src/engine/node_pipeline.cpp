@@ -9,6 +9,7 @@ namespace {
 
 NodeContactSettings contactSettings(const PipelineContext& context) {
   NodeContactSettings settings{.association = context.settings.pipeline != "raycast",
+                               .vertex_contacts = context.settings.vertexContacts(),
                                .sweeps = context.settings.sweeps,
                                .ray_length_m = context.settings.ray_length_m,
                                .max_displacement_m = context.settings.max_displacement_m,

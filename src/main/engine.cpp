@@ -55,7 +55,8 @@ void work(const std::string& file, const std::string& directory, const std::stri
                                           .pipeline = pipeline,
                                           .scene = run.scene(),
                                           .layout = layout,
-                                          .expected_rows = static_cast<std::size_t>(run.stepCount() + 1)});
+                                          .expected_rows = static_cast<std::size_t>(run.stepCount() + 1),
+                                          .scenario_resolved = loaded.resolved});
   const auto renderer = [&](const State& first) {
     return makeOffscreenRenderer(run.scene(), *scenario.record.frames, first);
   };

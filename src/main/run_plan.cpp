@@ -12,11 +12,6 @@ namespace {
 constexpr double slack =
     1e-9;  // of a step or an interval, for times that rounding made a little too long or short
 
-/// The engine decides the same by its table of factories; a test of the programs compares the two.
-bool usesNodes(const PipelineSettings& pipeline) {
-  return pipeline.pipeline == "raycast" || pipeline.pipeline == "fukuhara";
-}
-
 /// How often an interval is due: in the first step, then at most once a step.
 std::int64_t dueCount(const CheckedScenario& checked, double every_s) {
   const double step_s = checked.loaded.scenario.time.step_s;
@@ -33,7 +28,7 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
 
 RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
   const Scenario& scenario = checked.loaded.scenario;
-  const Scene scene = buildScene(scenario, usesNodes(pipeline));
+  const Scene scene = buildScene(scenario, pipeline.usesNodes());
   RecordLayout layout;
   layout.add({"time", "s", "simulated time", ValueType::real, {}});
   for (const auto& probe : makeProbes(scenario, pipeline, scene)) probe->declare(layout);

@@ -80,6 +80,7 @@ void describe(Io& io, PipelineSettings& p) {
   io.fieldIf(bullet, bullet_only, "sdf_voxel_m", p.sdf_voxel_m);
   io.fieldIf(bullet, bullet_only, "kinematic_hardness", p.kinematic_hardness);
   io.fieldIf(!bullet, rays_only, "ray_length_m", p.ray_length_m);
+  io.fieldIf(!bullet, rays_only, "vertex_contacts", p.vertex_contacts);
   io.fieldIf(!bullet, rays_only, "sweeps", p.sweeps);
   io.fieldIf(!bullet, rays_only, "max_displacement_m", p.max_displacement_m);
   io.field("time_limit_s", p.time_limit_s);

@@ -63,6 +63,7 @@ LoadedScenario parseScenario(const std::string& text, const Path& file,
     const Problem& first = problems.front();
     failAt(locate(tree.root, first.path), first.path + " " + first.message);
   }
+  for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults();
   loaded.inputs = std::move(tree.bases);
   for (Path& log : resolveLogs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(log));
   loaded.resolved = toYaml(loaded.scenario);

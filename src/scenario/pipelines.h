@@ -20,6 +20,9 @@ struct PipelineSettings {
   /// Ray casting pipelines.
   /// L; default: the extent of each body at rest, at least the travel in a step.
   std::optional<double> ray_length_m;
+  /// Beyond the paper: also hold tissue vertices that slip in between the nodes of a box tool, each on the
+  /// side it came from. Default: yes for fukuhara, no for raycast; `false` is the paper's method alone.
+  std::optional<bool> vertex_contacts;
   int sweeps = 10;  ///< Gauss-Seidel sweeps of enforced displacement, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
   /// feasibility): a tool that starts inside is pushed free over several steps. > 0
@@ -30,9 +33,20 @@ struct PipelineSettings {
   /// Whether this pipeline detects contacts with tool nodes; the others use Bullet's own contact.
   bool usesNodes() const { return pipeline == "raycast" || pipeline == "fukuhara"; }
 
-  /// The two fields `sdf_voxel_m` and `kinematic_hardness` with `settings` applied.
+  /// The optional fields with their defaults applied.
   double sdfVoxel_m() const { return sdf_voxel_m.value_or(settings == "tuned" ? 0.0005 : 0.25); }
   double kinematicHardness() const { return kinematic_hardness.value_or(settings == "tuned" ? 1.0 : 0.1); }
+  bool vertexContacts() const { return vertex_contacts.value_or(pipeline == "fukuhara"); }
+
+  /// Writes these defaults into their fields, so that a stored scenario says every number that was used.
+  void fillDefaults() {
+    if (usesNodes()) {
+      vertex_contacts = vertexContacts();
+    } else {
+      sdf_voxel_m = sdfVoxel_m();
+      kinematic_hardness = kinematicHardness();
+    }
+  }
 
   bool operator==(const PipelineSettings&) const = default;
 };

@@ -68,7 +68,7 @@ TEST(BadFile, EmptyScenario) {
 
 TEST(BadFile, BinaryScenario) {
   const Folder folder;
-  folder.write("s.yaml", std::string("\x7f\x45LF\0\0\xff\xfe\0garbage", 18));
+  folder.write("s.yaml", std::string("\x7f\x45LF\0\0\xff\xfe\0garbage", 16));
   expectRefused(runFissure(folder, {"run", "s.yaml"}), "s.yaml");
 }
 

@@ -84,7 +84,7 @@ TEST(Cost, UnaskedDatasetsAreAbsent) {
     EXPECT_TRUE(hasAny(all, name)) << name;
 }
 
-// `plan` must know which pipelines put nodes on tools without asking the engine.
+// `plan` knows which pipelines put nodes on tools without asking the engine.
 TEST(Cost, PlanAndRunAgreeOnToolNodes) {
   for (const std::string pipeline : {"default", "\"null\"", "raycast", "fukuhara"}) {
     const Folder folder;

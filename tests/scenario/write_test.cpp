@@ -78,7 +78,8 @@ const char* const every_field =
     "  - {name: a, pipeline: default, settings: tuned, sdf_voxel_m: 0.002, kinematic_hardness: 0.3, "
     "time_limit_s: 9}\n"
     "  - {pipeline: \"null\"}\n"
-    "  - {name: b, pipeline: fukuhara, ray_length_m: 0.06, sweeps: 11, max_displacement_m: 0.02, precision: "
+    "  - {name: b, pipeline: fukuhara, ray_length_m: 0.06, vertex_contacts: true, sweeps: 11, "
+    "max_displacement_m: 0.02, precision: "
     "f64}\n"
     "force:\n"
     "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4}\n"
@@ -130,10 +131,11 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   const auto& triangles = std::get<TrianglesShape>(s.bodies[2].shape);
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
-  EXPECT_EQ(s.pipelines[0], (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, 10, 0.005, 9}));
+  EXPECT_EQ(s.pipelines[0],
+            (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, {}, 10, 0.005, 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[2],
-            (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, 11, 0.02, 3600}));
+            (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, true, 11, 0.02, 3600}));
   EXPECT_EQ(s.force, (std::vector<ForceSettings>{{"hc", "hunt_crossley", 201, 51, 1.4},
                                                  {"linear_elastic", "linear_elastic", 202, 50, 1.3}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
@@ -174,10 +176,11 @@ TEST(Write, WritesEveryDefaultAndLeavesOutWhatHasNoValue) {
   const std::string text = toYaml(smallest());
   for (const char* part :
        {"description: \"\"\n", "settle_s: 0\n", "  gravity_m_s2: [0, -9.81, 0]\n", "tools: []\n",
-        "  - name: default\n    pipeline: default\n", "record: {}\n", "    margin_m: 5e-04\n"}) {
+        "  - name: default\n    pipeline: default\n", "    sdf_voxel_m: 0.25\n",
+        "    kinematic_hardness: 0.1\n", "record: {}\n", "    margin_m: 5e-04\n"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << text;
   }
-  for (const char* part : {"ground", "frames", "snapshots", "sample_spacing", "sweeps", "sdf_voxel"}) {
+  for (const char* part : {"ground", "frames", "snapshots", "sample_spacing", "sweeps", "vertex_contacts"}) {
     EXPECT_EQ(text.find(part), std::string::npos) << part << text;
   }
 }

@@ -1,0 +1,108 @@
+// Detection, and measurement, on the sphere and the spatula of spatula_press, without an engine: tissue goes
+// where contact puts it, and stays there.
+#include "cases.h"
+#include "contact/node_contact.h"
+#include "measure/penetration.h"
+#include "run/build_scene.h"
+
+namespace fissure::bench {
+
+namespace {
+
+constexpr double kOutside_m = -0.005;  ///< depths of the spatula's lower face below the sphere's top at rest
+constexpr double kPressed_m = 0.008;
+constexpr double kStep_m = 0.0001;
+
+Scenario scenarioWith(int subdivisions, int nodes) {
+  const std::string side = std::to_string(nodes);
+  return configuredScenario("spatula_press",
+                            {{"bodies.sphere.shape.subdivisions", std::to_string(subdivisions)},
+                             {"tools.spatula.nodes.resolution", "[" + side + ", " + side + "]"}});
+}
+
+/// Copies are independent.
+struct PressedSphere {
+  Scenario scenario;
+  Scene scene = buildScene(scenario, true);
+  NodeContact contact{scene, {.margins_m = {scenario.bodies[0].margin_m}}};
+  std::vector<double> inverse_masses =
+      std::vector<double>(scene.vertexCount(), scene.vertexCount() / scenario.bodies[0].mass_kg);
+  std::vector<ToolState> tools_before;
+  State state{.positions_m = scene.bodies[0].rest.vertices_m, .tools = {ToolState{}}};
+  ContactPatch patch;
+
+  explicit PressedSphere(Scenario with) : scenario(std::move(with)) {
+    patch.resize(scene.vertexCount(), scene.faceCount());
+    moveTool(kOutside_m);
+  }
+  void moveTool(double depth_m) {
+    const BodySettings& sphere = scenario.bodies[0];
+    const double top_m = sphere.position_m.y() + std::get<SphereShape>(sphere.shape).radius_m;
+    tools_before = state.tools;
+    state.tools[0].pose.position_m = {0, top_m - depth_m + 0.5 * scenario.tools[0].shape.size_m.y(), 0};
+  }
+  void detect() {
+    contact.step(state.positions_m, inverse_masses, tools_before, state.tools, scenario.time.step_s, state,
+                 patch);
+  }
+  void press(double from_m, double to_m) {
+    for (double depth_m = from_m; depth_m < to_m + 0.5 * kStep_m; depth_m += kStep_m) {
+      moveTool(depth_m);
+      detect();
+    }
+  }
+};
+
+void detect(benchmark::State& state, int subdivisions, int nodes) {
+  PressedSphere pressed(scenarioWith(subdivisions, nodes));
+  pressed.press(-0.001, kPressed_m);
+  pressed.moveTool(kPressed_m + kStep_m);
+  PressedSphere stepped = pressed;
+  for (auto _ : state) {
+    stepped = pressed;
+    state.SetIterationTime(secondsOf([&] { stepped.detect(); }));
+  }
+  state.counters["contacts"] = stepped.state.contact_count;
+  state.counters["rays"] = static_cast<double>(stepped.contact.rays() - pressed.contact.rays());
+  state.counters["ray_triangle_tests"] =
+      static_cast<double>(stepped.contact.rayTests() - pressed.contact.rayTests());
+}
+
+void measure(benchmark::State& state, int subdivisions, const std::string& where) {
+  PressedSphere sphere(scenarioWith(subdivisions, 32));
+  const double depth_m = where == "outside" ? kOutside_m : kPressed_m;
+  if (where == "touching") sphere.press(-0.001, depth_m);
+  sphere.moveTool(depth_m);
+  const State before = sphere.state;
+  sphere.moveTool(depth_m + kStep_m);
+  if (where == "touching") sphere.detect();
+
+  PenetrationMeter meter(sphere.scene, sphere.scenario.measure);
+  Penetration found;
+  for (auto _ : state) {
+    meter.measure(before);
+    state.SetIterationTime(secondsOf([&] { found = meter.measure(sphere.state); }));
+  }
+  if ((found.depth_m > 0) != (where == "deep")) throw std::logic_error("not a state that is " + where);
+  state.counters["samples"] = static_cast<double>(meter.sampleCount());
+}
+
+}  // namespace
+
+void addContactCases() {
+  for (const int subdivisions : {2, 3, 4, 5}) {
+    const std::string triangles = std::to_string(8 << 2 * subdivisions) + "/";
+    for (const int nodes : {4, 8, 16, 32}) {
+      addCase("detect/" + triangles + std::to_string(nodes) + "x" + std::to_string(nodes),
+              [=](benchmark::State& state) { detect(state, subdivisions, nodes); })
+          ->UseManualTime();
+    }
+    for (const std::string where : {"outside", "touching", "deep"}) {
+      addCase("measure/" + triangles + where, [=](benchmark::State& state) {
+        measure(state, subdivisions, where);
+      })->UseManualTime();
+    }
+  }
+}
+
+}  // namespace fissure::bench

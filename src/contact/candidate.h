@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+
+#include "base/geometry.h"
+#include "base/tool_nodes.h"
+
+namespace fissure {
+
+/// Something that keeps a point of the tissue in front of a point of a tool: `normal` points from the tool
+/// into the tissue.
+struct ContactConstraint {
+  std::array<int, 3> vertices{};    ///< of a soft triangle, indices over all bodies
+  std::array<double, 3> weights{};  ///< barycentric coordinates of the tissue point, sum 1
+  Vec3 position_m;                  ///< of the tool point, scene frame, end of the step
+  Vec3 normal;                      ///< unit, scene frame
+  double target_m = 0;  ///< least distance of the tissue point in front of the tool point, along normal
+};
+
+/// A contact that a tool node's ray proposes (step one of the method) and node association judges (step two).
+struct NodeCandidate {
+  int node = 0;  ///< index over all tools
+  int body = 0;
+  int face = 0;  ///< of that body
+  ContactConstraint constraint;
+  double depth_m = 0;     ///< from the node back to the tissue surface behind it, along -normal
+  double approach_m = 0;  ///< of node and tissue surface along the normal, in the step
+  NodeState state = NodeState::feasible;
+};
+
+}  // namespace fissure

@@ -1,0 +1,81 @@
+#include "contact/vertex_sides.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace fissure {
+
+namespace {
+
+bool holds(const Vec3& half_m, const Vec3& point_m) {
+  return (point_m.cwiseAbs().array() < half_m.array()).all();
+}
+
+/// The face of the box through which the segment from an outside point enters, 2 x axis + (0: positive, 1:
+/// negative); -1: it misses.
+int entryFace(const Vec3& half_m, const Vec3& from_m, const Vec3& to_m) {
+  double enter = 0, leave = 1;
+  int face = -1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const double way = to_m[axis] - from_m[axis];
+    for (const double sign : {1.0, -1.0}) {
+      const double outside = sign * from_m[axis] - half_m[axis];  // > 0: in front of this face
+      const double approach = -sign * way;
+      if (outside >= 0) {
+        if (approach <= 0) return -1;
+        const double at = outside / approach;
+        if (at >= enter) {
+          enter = at;
+          face = 2 * axis + (sign > 0 ? 0 : 1);
+        }
+      } else if (approach < 0) {
+        leave = std::min(leave, outside / approach);
+      }
+    }
+  }
+  return enter <= leave ? face : -1;
+}
+
+}  // namespace
+
+VertexSides::VertexSides(const Scene& scene, const std::vector<double>& margins_m) {
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    margins_m_.insert(margins_m_.end(), scene.bodies[b].rest.vertices_m.size(), margins_m.at(b));
+  }
+  for (std::size_t t = 0; t < scene.tools.size(); ++t) {
+    if (!scene.tools[t].box_size_m) continue;
+    boxes_.push_back({.tool = static_cast<int>(t),
+                      .half_m = 0.5 * *scene.tools[t].box_size_m,
+                      .sides = std::vector<std::int8_t>(scene.vertexCount(), kNoSide)});
+  }
+}
+
+void VertexSides::find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
+                       const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
+                       std::vector<ContactConstraint>& constraints) {
+  for (Box& box : boxes_) {
+    const Pose& now = tools_now[box.tool].pose;
+    const Pose& before = tools_before[box.tool].pose;
+    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+      const Vec3 reach_m = box.half_m + Vec3::Constant(margins_m_[v]);
+      const Vec3 point_m = now.toBody(positions_m[v]);
+      const Vec3 came_from_m = before.toBody(before_m[v]);
+      std::int8_t& side = box.sides[v];
+      if (!holds(reach_m, came_from_m))
+        side = static_cast<std::int8_t>(entryFace(reach_m, came_from_m, point_m));
+      if (side == kNoSide) continue;
+
+      const int axis = side / 2;
+      const double sign = side % 2 == 0 ? 1 : -1;
+      const int vertex = static_cast<int>(v);
+      const Vec3 face_point_m = sign * box.half_m[axis] * Vec3::Unit(axis);
+      constraints.push_back({.vertices = {vertex, vertex, vertex},
+                             .weights = {1, 0, 0},
+                             .position_m = now.toScene(face_point_m),
+                             .normal = now.rotateToScene(sign * Vec3::Unit(axis)),
+                             .target_m = margins_m_[v]});
+    }
+  }
+}
+
+}  // namespace fissure
