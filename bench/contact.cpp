@@ -87,21 +87,29 @@ void measure(benchmark::State& state, int subdivisions, const std::string& where
   state.counters["samples"] = static_cast<double>(meter.sampleCount());
 }
 
+std::string trianglesOf(int subdivisions) {
+  return std::to_string(8 << 2 * subdivisions);
+}
+
+void addDetectCase(int subdivisions, int nodes) {
+  const std::string side = std::to_string(nodes);
+  addCase("detect/" + trianglesOf(subdivisions) + "/" + side + "x" + side, [=](benchmark::State& state) {
+    detect(state, subdivisions, nodes);
+  })->UseManualTime();
+}
+
+void addMeasureCase(int subdivisions, const std::string& where) {
+  addCase("measure/" + trianglesOf(subdivisions) + "/" + where, [=](benchmark::State& state) {
+    measure(state, subdivisions, where);
+  })->UseManualTime();
+}
+
 }  // namespace
 
 void addContactCases() {
   for (const int subdivisions : {2, 3, 4, 5}) {
-    const std::string triangles = std::to_string(8 << 2 * subdivisions) + "/";
-    for (const int nodes : {4, 8, 16, 32}) {
-      addCase("detect/" + triangles + std::to_string(nodes) + "x" + std::to_string(nodes),
-              [=](benchmark::State& state) { detect(state, subdivisions, nodes); })
-          ->UseManualTime();
-    }
-    for (const std::string where : {"outside", "touching", "deep"}) {
-      addCase("measure/" + triangles + where, [=](benchmark::State& state) {
-        measure(state, subdivisions, where);
-      })->UseManualTime();
-    }
+    for (const int nodes : {4, 8, 16, 32}) addDetectCase(subdivisions, nodes);
+    for (const char* where : {"outside", "touching", "deep"}) addMeasureCase(subdivisions, where);
   }
 }
 

@@ -2,10 +2,10 @@
 // the same in every run of one build, and tested (check_counters.py).
 //
 //   step/<scenario>/<pipeline>       a simulated step, Bullet and contact, without measuring and writing: the
-//                                    median of the 200 steps that follow first contact. Each iteration is one
-//                                    such batch, from a freshly built simulation. collision_share: of the
-//                                    time, what the pipeline spends on tool against tissue (for Bullet's own
-//                                    contact its detection alone: its response cannot be told from the solve)
+//                                    median of 200 steps from just before first contact. Each iteration is
+//                                    one such batch of a newly built simulation. collision_share: the median
+//                                    time for tool against tissue over it (of Bullet's own contact only the
+//                                    detection: its response is part of the solve)
 //   detect/<triangles>/<nodes>       NodeContact::step alone: the spatula 8 mm deep in the sphere, restored
 //                                    before each call; nodes on each large face
 //   measure/<triangles>/<where>      PenetrationMeter::measure of one step: the spatula 5 mm above the sphere

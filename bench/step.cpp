@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 #include <variant>
 
 #include "cases.h"
@@ -18,54 +20,10 @@ int stepsBeforeContact(const std::string& scenario) {
   return scenario == "plate_press" ? 33 : 55;
 }
 
-/// A scenario's world from its start, stepped as a Run does, with nothing looking on.
-class FreshWorld {
- public:
-  FreshWorld(const Scenario& scenario, const PipelineSettings& pipeline)
-      : step_s_(scenario.time.step_s), scene_(buildScene(scenario, usesToolNodes(pipeline.pipeline))) {
-    for (const ToolSettings& tool : scenario.tools) motions_.push_back(makeMotion(tool, scenario.directory));
-    simulation_ = makeSimulation(scenario, pipeline, scene_, posesAt(0));
-    const int settling = static_cast<int>(std::ceil(scenario.time.settle_s / step_s_ - 1e-9));
-    for (int i = 0; i < settling; ++i) simulation_->step(posesAt(0));
-  }
-
-  /// Wall time of the step, seconds.
-  double advance() {
-    const std::vector<Pose> poses = posesAt(++step_ * step_s_);
-    return secondsOf([&] { simulation_->step(poses); });
-  }
-  const State& state() const { return simulation_->state(); }
-  /// Of the detector since the start; 0 for Bullet's own, which counts nothing.
-  double counted(const std::string& name) const {
-    for (const SummaryValue& counter : simulation_->counters()) {
-      if (counter.name == name) return static_cast<double>(std::get<long long>(counter.value));
-    }
-    return 0;
-  }
-
- private:
-  std::vector<Pose> posesAt(double time_s) const {
-    std::vector<Pose> poses;
-    for (const auto& motion : motions_) poses.push_back(motion->poseAt(time_s));
-    return poses;
-  }
-
-  double step_s_;
-  Scene scene_;
-  std::vector<std::unique_ptr<Motion>> motions_;
-  std::unique_ptr<Simulation> simulation_;
-  int step_ = 0;
-};
-
-struct Counts {
-  double contacts = 0, rays = 0, ray_triangle_tests = 0;  ///< mean of a step
-  bool operator==(const Counts&) const = default;
-};
-
 struct Batch {
-  Counts counts;
-  double median_step_s = 0;
-  double collision_share = 0;
+  std::map<std::string, double> counts;  ///< mean of a step
+  double step_s = 0;                     ///< median
+  double collision_s = 0;                ///< median
 };
 
 double median(std::vector<double> values) {
@@ -74,40 +32,58 @@ double median(std::vector<double> values) {
   return *middle;
 }
 
+/// A new simulation, stepped as a Run does it with nothing looking on.
 Batch runBatch(const Scenario& scenario, const PipelineSettings& pipeline) {
-  FreshWorld world(scenario, pipeline);
-  for (int i = 0; i < stepsBeforeContact(scenario.name); ++i) world.advance();
-  if (world.state().contact_count != 0) throw std::logic_error("contact before the first measured step");
-  const double rays = world.counted("rays"), tests = world.counted("ray_triangle_tests");
+  const Scene scene = buildScene(scenario, usesToolNodes(pipeline.pipeline));
+  std::vector<std::unique_ptr<Motion>> motions;
+  for (const ToolSettings& tool : scenario.tools) motions.push_back(makeMotion(tool, scenario.directory));
+  const auto poses_at = [&](int step) {
+    std::vector<Pose> poses;
+    poses.reserve(motions.size());
+    for (const auto& motion : motions) poses.push_back(motion->poseAt(step * scenario.time.step_s));
+    return poses;
+  };
+  const auto simulation = makeSimulation(scenario, pipeline, scene, poses_at(0));
+  const State& state = simulation->state();
+  const int settling = static_cast<int>(std::ceil(scenario.time.settle_s / scenario.time.step_s - 1e-9));
+  for (int i = 0; i < settling; ++i) simulation->step(poses_at(0));
+  const int first = stepsBeforeContact(scenario.name) + 1;
+  for (int step = 1; step < first; ++step) simulation->step(poses_at(step));
+  if (state.contact_count != 0) throw std::logic_error("contact before the first measured step");
 
+  Batch batch;
+  const auto count = [&](double sign) {
+    for (const SummaryValue& counter : simulation->counters()) {
+      batch.counts[counter.name] += sign * static_cast<double>(std::get<long long>(counter.value)) / kSteps;
+    }
+  };
+  count(-1);
   std::vector<double> steps_s, collisions_s;
-  double contacts = 0;
-  for (int i = 0; i < kSteps; ++i) {
-    steps_s.push_back(world.advance());
-    collisions_s.push_back(1e-6 * world.state().timing.collision_us);
-    contacts += world.state().contact_count;
+  for (int step = first; step < first + kSteps; ++step) {
+    const std::vector<Pose> poses = poses_at(step);
+    steps_s.push_back(secondsOf([&] { simulation->step(poses); }));
+    collisions_s.push_back(1e-6 * state.timing.collision_us);
+    batch.counts["contacts"] += static_cast<double>(state.contact_count) / kSteps;
   }
-  return {.counts = {.contacts = contacts / kSteps,
-                     .rays = (world.counted("rays") - rays) / kSteps,
-                     .ray_triangle_tests = (world.counted("ray_triangle_tests") - tests) / kSteps},
-          .median_step_s = median(steps_s),
-          .collision_share = median(collisions_s) / median(steps_s)};
+  count(+1);
+  batch.step_s = median(steps_s);
+  batch.collision_s = median(collisions_s);
+  return batch;
 }
 
 void measureSteps(benchmark::State& state, const Scenario& scenario, const PipelineSettings& pipeline) {
-  std::optional<Counts> first;
+  Batch batch;
   double collision_share = 0;
   for (auto _ : state) {
-    const Batch batch = runBatch(scenario, pipeline);
-    state.SetIterationTime(batch.median_step_s);
-    collision_share += batch.collision_share;
-    if (!first) first = batch.counts;
-    if (batch.counts != *first) throw std::logic_error("two batches met different contacts");
+    const auto counts_before = std::exchange(batch, runBatch(scenario, pipeline)).counts;
+    if (!counts_before.empty() && counts_before != batch.counts) {
+      throw std::logic_error("two batches met different contacts");
+    }
+    state.SetIterationTime(batch.step_s);
+    collision_share += batch.collision_s / batch.step_s;
   }
+  for (const auto& [name, value] : batch.counts) state.counters[name] = value;
   state.counters["collision_share"] = {collision_share, benchmark::Counter::kAvgIterations};
-  state.counters["contacts"] = first->contacts;
-  state.counters["rays"] = first->rays;
-  state.counters["ray_triangle_tests"] = first->ray_triangle_tests;
 }
 
 }  // namespace

@@ -96,7 +96,8 @@ def cell(row):
         return row["status"]
     depth = row["max_penetration_depth_m"]
     text = "nan" if depth is None else f"{1000 * depth:.2f}"
-    return text + (f" ({row['passed_through_samples']})" if row["passed_through_samples"] else "")
+    text += f" ({row['passed_through_samples']})" if row["passed_through_samples"] else ""
+    return text + (f" [{row['max_inverted_triangles']}]" if row["max_inverted_triangles"] else "")
 
 
 def write_table(path, rows, command):
@@ -105,7 +106,8 @@ def write_table(path, rows, command):
         key = (row["step_s"], row["pipeline"], row["nodes"])
         if key not in keys:
             keys.append(key)
-    lines = ["Worst penetration depth over the run, mm; in brackets: tool samples that passed right through.", ""]
+    lines = ["Worst penetration depth over the run, mm; (n): n tool samples passed right through; [n]: up to n tissue triangles"]
+    lines += ["were turned inside out or folded into each other, where depth can hide.", ""]
     lines += ["| dt [s] | pipeline | nodes a face | " + " | ".join(f"{v:g} m/s" for v in SPEEDS_M_S) + " |"]
     lines += ["|---|---|---|" + "---|" * len(SPEEDS_M_S)]
     for key in sorted(keys, key=lambda k: list(STEPS_S).index(k[0])):
@@ -117,12 +119,13 @@ def write_table(path, rows, command):
 
 def draw(path, rows):
     steps = list(dict.fromkeys(r["step_s"] for r in rows))
+    finest = rows[-1]["nodes"]
     figure, axes = plt.subplots(1, len(steps), figsize=(4.2 * len(steps), 3.6), sharey=True, squeeze=False)
     for axis, step in zip(axes[0], steps):
         for name, nodes in dict.fromkeys((r["pipeline"], r["nodes"]) for r in rows):
             line = [r for r in rows if (r["step_s"], r["pipeline"], r["nodes"]) == (step, name, nodes)]
             depths = [float("nan") if r["max_penetration_depth_m"] is None else 1000 * r["max_penetration_depth_m"] for r in line]
-            style = "-" if nodes in ("-", line[0]["nodes"]) and nodes != rows[-1]["nodes"] else "--"
+            style = "--" if nodes == finest else "-"
             label = name if nodes == "-" else f"{name}, {nodes} nodes"
             axis.plot([r["speed_m_s"] for r in line], depths, style, marker="o", markersize=4, color=COLOURS.get(name), label=label)
         axis.set_xscale("log")
@@ -131,9 +134,9 @@ def draw(path, rows):
         axis.set_title(f"dt = {step} s", fontsize=10)
         axis.grid(alpha=0.3)
     axes[0][0].set_ylabel("worst penetration depth [mm]")
-    axes[0][-1].legend(frameon=False, fontsize=7)
+    axes[0][-1].legend(frameon=False, fontsize=7, loc="center left", bbox_to_anchor=(1.02, 0.5))
     figure.tight_layout()
-    figure.savefig(path, dpi=110)
+    figure.savefig(path, dpi=90)
 
 
 def main():

@@ -18,10 +18,11 @@ struct Column {
   const char* format;
 };
 
-constexpr std::array<Column, 10> columns = {{
+constexpr std::array<Column, 11> columns = {{
     {{"worst", "depth", "mm"}, "max_penetration_depth_m", 1e3, "%.3f"},
     {{"final", "depth", "mm"}, "final_penetration_depth_m", 1e3, "%.3f"},
     {{"passed", "through", "samples"}, "passed_through_samples", 1, "%.0f"},
+    {{"inside-", "out tri-", "angles"}, "max_inverted_triangles", 1, "%.0f"},
     {{"peak", "force", "N"}, "max_force_N", 1, "%.3f"},
     {{"force", "rough-", "ness"}, "force_roughness", 1, "%.3g"},
     {{"", "contacts", ""}, "contacts_total", 1, "%.0f"},

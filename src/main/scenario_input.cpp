@@ -29,6 +29,7 @@ void select(const std::vector<std::string>& names, CheckedScenario& checked) {
   if (names.empty()) return;
   std::vector<PipelineSettings>& pipelines = checked.loaded.scenario.pipelines;
   std::vector<std::string> known;
+  known.reserve(pipelines.size());
   for (const PipelineSettings& entry : pipelines) known.push_back(entry.name);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())

@@ -59,6 +59,7 @@ SpawnedProcess spawn(const WorkerTask& task) {
   std::vector<std::string> words = {task.program.string()};
   words.insert(words.end(), task.arguments.begin(), task.arguments.end());
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 

@@ -80,6 +80,7 @@ void WorkerPool::stopAll(std::size_t tasks, PoolObserver& observer) {
   std::vector<Running> stopped;
   stopped.swap(running_);
   std::vector<RunStatus> statuses;
+  statuses.reserve(stopped.size());
   for (const Running& running : stopped) statuses.push_back(running.worker->stop("interrupted", "stopped"));
   for (std::size_t i = 0; i < stopped.size(); ++i) observer.finished(stopped[i].task, statuses[i]);
   for (; next_ < tasks; ++next_) observer.finished(next_, {"interrupted", "not started"});
