@@ -34,7 +34,7 @@ double median(std::vector<double> values) {
 
 /// A new simulation, stepped as a Run does it with nothing looking on.
 Batch runBatch(const Scenario& scenario, const PipelineSettings& pipeline) {
-  const Scene scene = buildScene(scenario, usesToolNodes(pipeline.pipeline));
+  const Scene scene = buildScene(scenario, pipeline.usesNodes());
   std::vector<std::unique_ptr<Motion>> motions;
   for (const ToolSettings& tool : scenario.tools) motions.push_back(makeMotion(tool, scenario.directory));
   const auto poses_at = [&](int step) {

@@ -34,8 +34,7 @@ struct PipelineContext {
 
 /// A collision pipeline: how its detection in Bullet is set up, and its stage in each step.
 struct PipelineFactory {
-  std::string name;  ///< in catalog().pipelines
-  bool uses_nodes;
+  std::string name;                                                               ///< in catalog().pipelines
   std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> (*configuration)();  ///< null: Bullet's own
   std::unique_ptr<Pipeline> (*make)(const PipelineContext& context);
 };

@@ -9,10 +9,10 @@ namespace fissure {
 
 const std::vector<PipelineFactory>& pipelineFactories() {
   static const std::vector<PipelineFactory> factories = {
-      {"default", false, nullptr, &makeSdfPipeline},
-      {"null", false, &makeDelegatingConfiguration, &makeSdfPipeline},
-      {"raycast", true, nullptr, &makeNodePipeline},
-      {"fukuhara", true, nullptr, &makeNodePipeline},
+      {"default", nullptr, &makeSdfPipeline},
+      {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
+      {"raycast", nullptr, &makeNodePipeline},
+      {"fukuhara", nullptr, &makeNodePipeline},
   };
   return factories;
 }
@@ -22,10 +22,6 @@ const PipelineFactory& pipelineFactory(const std::string& name) {
     if (factory.name == name) return factory;
   }
   throw std::invalid_argument("no pipeline '" + name + "' in this engine");
-}
-
-bool usesToolNodes(const std::string& pipeline) {
-  return pipelineFactory(pipeline).uses_nodes;
 }
 
 std::vector<std::string> enginePipelines() {

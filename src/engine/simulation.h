@@ -30,9 +30,6 @@ class Simulation {
 std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
                                            const Scene& scene, const std::vector<Pose>& first_poses);
 
-/// Does this pipeline put nodes on the tools?
-bool usesToolNodes(const std::string& pipeline);
-
 /// Names of the pipelines this engine can build; a test says they are the catalog's.
 std::vector<std::string> enginePipelines();
 

@@ -48,9 +48,7 @@ bool isDue(std::int64_t step, double step_s, double every_s) {
 }
 
 Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
-    : scenario_(scenario),
-      pipeline_(pipeline),
-      scene_(buildScene(scenario, usesToolNodes(pipeline.pipeline))) {
+    : scenario_(scenario), pipeline_(pipeline), scene_(buildScene(scenario, pipeline.usesNodes())) {
   double longest_s = 0;
   for (const ToolSettings& tool : scenario.tools) {
     motions_.push_back(makeMotion(tool, scenario.directory));

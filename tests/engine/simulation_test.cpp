@@ -54,7 +54,7 @@ class Press {
   explicit Press(const std::string& pipeline, const std::string& settings = "tuned")
       : scenario_(press()),
         entry_{.name = pipeline, .pipeline = pipeline, .precision = "f64", .settings = settings},
-        scene_(sceneOf(scenario_, usesToolNodes(pipeline))),
+        scene_(sceneOf(scenario_, entry_.usesNodes())),
         simulation_(makeSimulation(scenario_, entry_, scene_, {at(0.0615)})) {}
   const State& step() {
     simulation_->step({at(0.0615 - 0.0002 * ++steps_)});
@@ -78,7 +78,9 @@ TEST(Simulation, BuildsExactlyThePipelinesOfTheCatalog) {
   std::vector<std::string> offered;
   for (const CatalogEntry& entry : catalog().pipelines) offered.emplace_back(entry.name);
   EXPECT_EQ(enginePipelines(), offered);
-  EXPECT_THROW(usesToolNodes("no such"), std::invalid_argument);
+  const PipelineSettings unknown{.name = "x", .pipeline = "no such"};
+  const Scenario scenario = press();
+  EXPECT_THROW(makeSimulation(scenario, unknown, sceneOf(scenario, false), {at(0)}), std::invalid_argument);
 }
 
 TEST(Simulation, RunsBulletInDoublePrecision) {
@@ -124,7 +126,7 @@ TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
   for (const CatalogEntry& pipeline : catalog().pipelines) {
     Scenario scenario = press();
     const PipelineSettings entry{.name = "p", .pipeline = std::string(pipeline.name)};
-    const Scene scene = sceneOf(scenario, usesToolNodes(entry.pipeline));
+    const Scene scene = sceneOf(scenario, entry.usesNodes());
     auto simulation = makeSimulation(scenario, entry, scene, {at(0.2)});
     for (int i = 0; i < 100; ++i) simulation->step({at(0.2)});
     if (reference.empty()) reference = simulation->state().positions_m;

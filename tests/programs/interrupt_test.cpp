@@ -119,7 +119,7 @@ TEST(TimeLimit, IsRecorded) {
 /// Exit code 3, and no file but a whole result in which the run has failed.
 void expectFailedCleanly(const Outcome& outcome, const Folder& folder, const std::string& place) {
   EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
-  EXPECT_TRUE(outcome.err.empty() || isOneLine(outcome.err)) << outcome.err;
+  EXPECT_EQ(outcome.err.find("HDF5"), std::string::npos) << outcome.err << "a library's own messages are no use";
   const std::filesystem::path result = folder / (place + "out.h5");
   for (const auto& entry : std::filesystem::directory_iterator(result.parent_path()))
     EXPECT_TRUE(entry.path().filename() == "out.h5" || entry.path().filename() == "s.yaml") << entry.path();
@@ -136,18 +136,18 @@ const std::string many_snapshots = "record: {snapshots_every_s: 0.001}\n";
 
 TEST(FullDisk, FileSizeLimit) {
   const Folder folder;
-  folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "2", many_snapshots));
+  folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "1", many_snapshots));
   Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", (folder / "out.h5").string()},
-              {.file_bytes = 400000, .error_is_terminal = false});
+              {.file_bytes = 250000, .error_is_terminal = false});
   expectFailedCleanly(run.wait(), folder, "");
 }
 
 TEST(FullDisk, SmallFileSystem) {
   const Folder folder;
   std::filesystem::create_directory(folder / "small");
-  if (::mount("tmpfs", (folder / "small").c_str(), "tmpfs", 0, "size=400k") != 0)
+  if (::mount("tmpfs", (folder / "small").c_str(), "tmpfs", 0, "size=300k") != 0)
     GTEST_SKIP() << "mounting a small file system needs more rights than this test has";
-  folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "2", many_snapshots));
+  folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "1", many_snapshots));
   expectFailedCleanly(runFissure(folder, {"run", "s.yaml", "-o", "small/out.h5"}), folder, "small/");
   ::umount((folder / "small").c_str());
 }
