@@ -119,7 +119,8 @@ TEST(TimeLimit, IsRecorded) {
 /// Exit code 3, and no file but a whole result in which the run has failed.
 void expectFailedCleanly(const Outcome& outcome, const Folder& folder, const std::string& place) {
   EXPECT_EQ(outcome.code, 3) << outcome.out << outcome.err;
-  EXPECT_EQ(outcome.err.find("HDF5"), std::string::npos) << outcome.err << "a library's own messages are no use";
+  EXPECT_EQ(outcome.err.find("HDF5"), std::string::npos)
+      << outcome.err << "a library's own messages are no use";
   const std::filesystem::path result = folder / (place + "out.h5");
   for (const auto& entry : std::filesystem::directory_iterator(result.parent_path()))
     EXPECT_TRUE(entry.path().filename() == "out.h5" || entry.path().filename() == "s.yaml") << entry.path();
