@@ -38,11 +38,12 @@ std::string engineVersion() {
 
 namespace {
 
-std::vector<std::unique_ptr<ForceLaw>> makeLaws(const std::vector<ForceSettings>& settings) {
-  std::vector<std::unique_ptr<ForceLaw>> laws;
+std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
+  std::vector<TriangleLaw> laws;
   for (const ForceSettings& law : settings) {
-    laws.push_back(law.model == "hunt_crossley" ? makeHuntCrossley(law.k, law.lambda, law.n)
-                                                : makeLinearElastic(law.k));
+    laws.push_back({.law = law.model == "hunt_crossley" ? makeHuntCrossley(law.k, law.lambda, law.n)
+                                                        : makeLinearElastic(law.k),
+                    .rate = law.rate == "velocities" ? RateSource::velocities : RateSource::differences});
   }
   return laws;
 }
@@ -56,7 +57,8 @@ class BulletSimulation : public Simulation {
     world_ = std::make_unique<BulletWorld>(scenario, settings, scene,
                                            factory.configuration ? factory.configuration() : nullptr);
     pipeline_ = factory.make({scenario, settings, scene, *world_, first_poses});
-    if (!scenario.force.empty()) forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force));
+    if (!scenario.force.empty())
+      forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_);
     for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
     patch_.resize(scene.vertexCount(), scene.faceCount());
     patch_.clear();

@@ -15,15 +15,16 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 9> named = {{{"pipelines", tables.pipelines},
-                                       {"force laws", tables.force_laws},
-                                       {"body shapes", tables.body_shapes},
-                                       {"tool shapes", tables.tool_shapes},
-                                       {"motions", tables.motions},
-                                       {"timings", tables.timings},
-                                       {"interpolations", tables.interpolations},
-                                       {"settings", tables.settings},
-                                       {"precisions", tables.precisions}}};
+  const std::array<Table, 10> named = {{{"pipelines", tables.pipelines},
+                                        {"force laws", tables.force_laws},
+                                        {"body shapes", tables.body_shapes},
+                                        {"tool shapes", tables.tool_shapes},
+                                        {"motions", tables.motions},
+                                        {"timings", tables.timings},
+                                        {"interpolations", tables.interpolations},
+                                        {"settings", tables.settings},
+                                        {"precisions", tables.precisions},
+                                        {"rates", tables.rates}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";
     for (const CatalogEntry& entry : entries)

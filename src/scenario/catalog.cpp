@@ -27,6 +27,8 @@ const Catalog& catalog() {
       .settings = {{"stock", "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1"},
                    {"tuned", "SDF voxel 0.5 mm, kinematic contact hardness 1"}},
       .precisions = {{"f64", "Bullet in double precision"}},
+      .rates = {{"differences", "of deformation: what the tissue did from step to step"},
+                {"velocities", "of deformation: from the engine's vertex velocities"}},
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}},
   };
   return tables;

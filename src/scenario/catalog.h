@@ -24,6 +24,7 @@ struct Catalog {
   std::vector<CatalogEntry> interpolations;
   std::vector<CatalogEntry> settings;
   std::vector<CatalogEntry> precisions;
+  std::vector<CatalogEntry> rates;
   std::vector<CatalogEntry> length_units;
 };
 

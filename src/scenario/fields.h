@@ -94,6 +94,7 @@ void describe(Io& io, ForceSettings& f) {
   io.field("k", f.k);
   io.fieldIf(f.model == "hunt_crossley", viscous_only, "lambda", f.lambda);
   io.fieldIf(f.model == "hunt_crossley", viscous_only, "n", f.n);
+  io.choiceIf(f.model == "hunt_crossley", viscous_only, "rate", f.rate, catalog().rates);
 }
 
 template <class Io>

@@ -59,6 +59,9 @@ struct ForceSettings {
   double k = 200;      ///< N/m^n, >= 0
   double lambda = 50;  ///< N s/m^(n+1), >= 0; hunt_crossley only
   double n = 1.3;      ///< exponent, > 0; hunt_crossley only
+  /// Where x' comes from; hunt_crossley only. Enforced displacement leaves the engine's velocities of held
+  /// tissue without meaning (tens of m/s at rest), so differences are the default.
+  std::string rate = "differences";
 
   bool operator==(const ForceSettings&) const = default;
 };

@@ -34,6 +34,7 @@ void checkForce(Checker check, const ForceSettings& force) {
   check.notNegative("k", force.k);
   check.notNegative("lambda", force.lambda);
   check.positive("n", force.n);
+  check.oneOf("rate", force.rate, catalog().rates);
 }
 
 void checkRecord(Checker check, const RecordSettings& record) {

@@ -20,10 +20,11 @@ class TriangleForcesTest : public testing::Test {
     patch.clear();
   }
   TriangleForces forces() {
-    std::vector<std::unique_ptr<ForceLaw>> laws;
-    laws.push_back(makeHuntCrossley(200, 50, 1.3));
-    laws.push_back(makeLinearElastic(100));
-    return TriangleForces(scene, std::move(laws));
+    std::vector<TriangleLaw> laws;
+    laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::velocities});
+    laws.push_back({makeLinearElastic(100)});
+    laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::differences});
+    return TriangleForces(scene, std::move(laws), 0.001);
   }
   void touchFace(int face, const Vec3& normal) {
     patch.face_normals[face] += normal;
@@ -40,7 +41,7 @@ class TriangleForcesTest : public testing::Test {
 TEST_F(TriangleForcesTest, WithoutContactThereIsNoForceHoweverDeformed) {
   for (Vec3& p : state.positions_m) p += Vec3(0, -0.005, 0);
   forces().evaluate(patch, state);
-  ASSERT_EQ(state.forces.size(), 2u);
+  ASSERT_EQ(state.forces.size(), 3u);
   EXPECT_EQ(state.forces[0].elastic_N, 0);
   EXPECT_EQ(state.forces[1].force_on_tool_N, Vec3::Zero());
 }
@@ -75,6 +76,22 @@ TEST_F(TriangleForcesTest, RateIsTheGrowthOfTheDistanceNotTheSpeed) {
   touchFace(0, -Vec3::UnitY());
   forces().evaluate(patch, state);
   EXPECT_NEAR(state.forces[0].viscous_N, 0, 1e-15);
+}
+
+TEST_F(TriangleForcesTest, RateByDifferencesIsTheWayOfTheCentroidInTheStep) {
+  // At rest, then 5 mm down, then 0.1 mm further in 1 ms: x' = 0.1 m/s, whatever the engine says of
+  // velocities.
+  for (Vec3& v : state.velocities_m_s) v = Vec3(0, 30, 0);
+  touchFace(0, -Vec3::UnitY());
+  TriangleForces evaluated = forces();
+  for (Vec3& p : state.positions_m) p += Vec3(0, -0.005, 0);
+  evaluated.evaluate(patch, state);
+  for (Vec3& p : state.positions_m) p += Vec3(0, -0.0001, 0);
+  evaluated.evaluate(patch, state);
+  EXPECT_NEAR(state.forces[2].viscous_N / state.forces[2].elastic_N, 50 * 0.1 / 200, 1e-9);
+  EXPECT_GT(state.forces[0].adhesion_clamped, 0) << "the engine's 30 m/s upwards would pull";
+  evaluated.evaluate(patch, state);
+  EXPECT_EQ(state.forces[2].viscous_N, 0) << "held";
 }
 
 TEST_F(TriangleForcesTest, CountsClampedTriangles) {

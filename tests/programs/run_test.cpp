@@ -56,7 +56,7 @@ TEST(Run, PrintsAnAlignedTable) {
   EXPECT_EQ(lines[0].size(), lines[4].size()) << outcome.out;
   EXPECT_EQ(lines[5], "result: out.h5");
   const std::vector<std::string> cells = wordsOf(lines[4]);
-  ASSERT_EQ(cells.size(), 12u) << lines[4];
+  ASSERT_EQ(cells.size(), 13u) << lines[4];
   EXPECT_EQ(cells[0], "fukuhara");
   EXPECT_EQ(cells[1], "ok");
   for (std::size_t i = 2; i < cells.size(); ++i)

@@ -82,7 +82,7 @@ const char* const every_field =
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
     "force:\n"
-    "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4}\n"
+    "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
     "  - {model: linear_elastic, k: 202}\n"
     "record:\n"
     "  snapshots_every_s: 0.02\n"
@@ -136,8 +136,9 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[2],
             (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, true, 11, 0.02, 3600}));
-  EXPECT_EQ(s.force, (std::vector<ForceSettings>{{"hc", "hunt_crossley", 201, 51, 1.4},
-                                                 {"linear_elastic", "linear_elastic", 202, 50, 1.3}}));
+  EXPECT_EQ(s.force,
+            (std::vector<ForceSettings>{{"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
+                                        {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
   EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}}));
   EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
