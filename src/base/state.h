@@ -36,15 +36,15 @@ struct State {
   std::int64_t step = 0;  ///< 0: the initial state, after settling
   double time_s = 0;      ///< step x dt
   std::vector<Vec3> positions_m;
-  std::vector<Vec3> velocities_m_s;
-  std::vector<double> masses_kg;  ///< constant over a run
+  std::vector<Vec3> velocities_m_s;  ///< the engine's own, without enforced displacement
+  std::vector<double> masses_kg;     ///< constant over a run
   std::vector<ToolState> tools;
 
   std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool
   int candidate_count = 0;                   ///< contacts the detector proposed in this step
   int infeasible_count = 0;                  ///< of these, excluded by their pair
-  int contact_count = 0;                     ///< of these, acting on the tissue
+  int contact_count = 0;                     ///< acting on the tissue: of these, and of tissue vertices
   int capped_count = 0;                      ///< of these, limited by the displacement cap
   Vec3 reaction_on_tool_N =
       Vec3::Zero();                 ///< momentum the tool contacts took from the tissue in the step, over dt

@@ -43,6 +43,9 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
   btSoftBodyWorldInfo& info = world_->getWorldInfo();
   info.m_gravity = gravity;
   info.air_density = static_cast<btScalar>(scenario.world.air_density_kg_m3);
+  info.water_density = 0;  // no medium but air
+  info.water_offset = 0;
+  info.water_normal = btVector3(0, 0, 0);
   info.m_maxDisplacement = static_cast<btScalar>(scenario.world.max_displacement_m);
   info.m_sparsesdf.setDefaultVoxelsz(static_cast<btScalar>(pipeline.sdfVoxel_m()));
   info.m_sparsesdf.Reset();  // a new voxel size applies from here on

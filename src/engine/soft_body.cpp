@@ -63,6 +63,9 @@ void appendBendingLinks(btSoftBody& body, int distance) {
 
 void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
                          double kinematic_hardness) {
+  config.aeromodel = btSoftBody::eAeroModel::V_Point;  // for drag and lift: a point at each vertex
+  config.collisions =
+      btSoftBody::fCollision::SDF_RS;  // vertices against rigid shapes; bodies ignore each other
   config.kVCF = scalar(solver.velocity_correction);
   config.kDP = scalar(solver.damping);
   config.kDG = scalar(solver.drag);

@@ -28,6 +28,7 @@ void Batch::run(int slots, Interrupt& interrupt) {
 int Batch::exitCode() const {
   int code = exit_good;
   for (const Experiment& experiment : experiments_) {
+    if (!experiment.error().empty()) code = exit_run_failed;
     for (const PartResult& result : experiment.results()) {
       if (result.status.status == "interrupted") return exit_interrupted;
       if (result.status.status != "ok") code = exit_run_failed;

@@ -52,6 +52,7 @@ RunStatus statusIn(const fs::path& part, const std::string& name) {
 Experiment::Experiment(CheckedScenario checked, const fs::path& output, bool replace)
     : checked_(std::move(checked)), output_(output), open_(checked_.loaded.scenario.pipelines.size()) {
   refuseInputsAsOutput(checked_.loaded, output);
+  input_hashes_ = inputHashes(checked_.loaded);
   slot_ = std::make_unique<OutputSlot>(output, replace);
   writeText(resolvedFile(), checked_.loaded.resolved);
   for (const PipelineSettings& pipeline : checked_.loaded.scenario.pipelines)
@@ -90,21 +91,46 @@ void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
   --open_;
 }
 
+bool Experiment::interrupted() const {
+  return std::any_of(results_.begin(), results_.end(),
+                     [](const PartResult& result) { return result.status.status == "interrupted"; });
+}
+
+/// Workers read logs for themselves: when one changed meanwhile, the runs may not have had the same motion.
+void Experiment::refuseChangedInputs() {
+  std::string now;
+  try {
+    now = inputHashes(checked_.loaded);
+  } catch (const RunError&) {
+    now = "gone";
+  }
+  if (now == input_hashes_) return;
+  for (PartResult& result : results_) {
+    if (result.status.status == "ok")
+      result.status = {"failed",
+                       "an input file of the scenario was changed or removed while the runs went on"};
+  }
+}
+
 bool Experiment::worthKeeping() const {
-  const auto interrupted = [](const PartResult& result) { return result.status.status == "interrupted"; };
   const auto finished = [](const PartResult& result) { return result.part.has_value(); };
-  return std::none_of(results_.begin(), results_.end(), interrupted) ||
-         std::any_of(results_.begin(), results_.end(), finished);
+  return !interrupted() || std::any_of(results_.begin(), results_.end(), finished);
 }
 
 void Experiment::close(const std::string& command_line) {
   noteStart();  // where no worker could be started
   times_.ended = std::chrono::system_clock::now();
   times_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - *start_).count();
+  refuseChangedInputs();
   if (worthKeeping()) {
-    assembleResult(output_, checked_.loaded, collectProvenance(checked_.loaded, command_line, times_),
-                   results_);
-    info_ = readResultInfo(output_);
+    if (interrupted() && fs::exists(output_)) output_.replace_extension(".interrupted.h5");
+    try {
+      assembleResult(output_, checked_.loaded,
+                     collectProvenance(checked_.loaded, input_hashes_, command_line, times_), results_);
+      info_ = readResultInfo(output_);
+    } catch (const std::runtime_error& error) {
+      error_ = error.what();
+    }
   }
   slot_.reset();
 }

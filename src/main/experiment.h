@@ -32,16 +32,21 @@ class Experiment {
   bool ended() const { return open_ == 0; }
 
   /// When all runs have ended: writes the result file, unless the batch was interrupted before any run was
-  /// finished. Frees the slot either way. Throws RunError.
+  /// finished. An interrupted batch leaves an existing result alone and writes beside it, to
+  /// *.interrupted.h5. Frees the slot either way. Does not throw RunError: error() says why nothing could be
+  /// written.
   void close(const std::string& command_line);
 
   const std::vector<PartResult>& results() const { return results_; }
+  const std::string& error() const { return error_; }
   const std::optional<ResultInfo>& info() const { return info_; }  ///< of the file that close() wrote
 
  private:
   std::filesystem::path partOf(std::size_t index) const;
   std::filesystem::path resolvedFile() const { return slot_->parts() / "resolved.yaml"; }
+  bool interrupted() const;
   bool worthKeeping() const;
+  void refuseChangedInputs();
 
   CheckedScenario checked_;
   std::filesystem::path output_;
@@ -49,6 +54,8 @@ class Experiment {
   std::vector<PartResult> results_;
   std::size_t open_;
   std::optional<ResultInfo> info_;
+  std::string error_;
+  std::string input_hashes_;  ///< when the scenario was read
   RunTimes times_;
   std::optional<std::chrono::steady_clock::time_point> start_;
 };

@@ -71,7 +71,15 @@ std::string contents(const fs::path& file) {
   return text;
 }
 
-/// "name=hash, name=hash": names relative to the scenario's folder, or the file name alone outside it.
+std::string seconds(double value) {
+  std::ostringstream text;
+  text.precision(6);
+  text << value;
+  return text.str();
+}
+
+}  // namespace
+
 std::string inputHashes(const LoadedScenario& loaded) {
   const fs::path folder = fs::absolute(loaded.scenario.directory).lexically_normal();
   std::string text;
@@ -84,29 +92,20 @@ std::string inputHashes(const LoadedScenario& loaded) {
   return text;
 }
 
-std::string seconds(double value) {
-  std::ostringstream text;
-  text.precision(6);
-  text << value;
-  return text.str();
-}
-
-}  // namespace
-
 std::string commandLine(int argc, const char* const* argv) {
   std::string text = "fissure";
   for (int i = 1; i < argc; ++i) text.append(1, ' ').append(quoted(withoutFolders(argv[i])));
   return text;
 }
 
-Provenance collectProvenance(const LoadedScenario& loaded, const std::string& command_line,
-                             const RunTimes& times) {
+Provenance collectProvenance(const LoadedScenario& loaded, const std::string& input_hashes,
+                             const std::string& command_line, const RunTimes& times) {
   const BuildInfo& build = buildInfo();
   return {{"version", build.version},
           {"commit", build.commit},
           {"dirty", build.dirty ? "true" : "false"},
           {"scenario_hash", hashText(loaded.resolved)},
-          {"input_hashes", inputHashes(loaded)},
+          {"input_hashes", input_hashes},
           {"command_line", command_line},
           {"started_utc", utc(times.started)},
           {"ended_utc", utc(times.ended)},

@@ -20,7 +20,11 @@ struct RunTimes {
 };
 
 /// Everything about program, machine and input that may explain a result; no user and no host name.
-Provenance collectProvenance(const LoadedScenario& loaded, const std::string& command_line,
-                             const RunTimes& times);
+Provenance collectProvenance(const LoadedScenario& loaded, const std::string& input_hashes,
+                             const std::string& command_line, const RunTimes& times);
+
+/// "name=hash, name=hash" of the files a scenario was read from, as they are now: names relative to the
+/// scenario's folder, or the file name alone outside it. Throws RunError when one cannot be read.
+std::string inputHashes(const LoadedScenario& loaded);
 
 }  // namespace fissure

@@ -35,7 +35,7 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
 
   RunPlan plan;
   plan.pipeline = &pipeline;
-  plan.settling_steps = std::llround(std::ceil(scenario.time.settle_s / scenario.time.step_s - slack));
+  plan.settling_steps = std::llround(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   plan.steps = checked.steps;
   plan.nodes = scene.nodeCount();
   for (const Series& series : layout.series()) plan.series.push_back(series.name);

@@ -69,9 +69,11 @@ CheckedScenario checkScenario(const std::filesystem::path& file, const Selection
   checkBodies(checked);
   const double longest_s = longestMotion_s(scenario);
   checked.duration_s = scenario.time.duration_s.value_or(longest_s);
-  constexpr double slack =
-      1e-9;  // of a step, for durations that rounding made a little longer than whole steps
-  checked.steps = std::llround(std::ceil(checked.duration_s / scenario.time.step_s - slack));
+  const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);
+  if (!(steps <= max_steps))
+    throw InputError(file.string() +
+                     ": time.step_s: the motion of a tool lasts more than 1e8 steps, expected fewer");
+  checked.steps = static_cast<std::int64_t>(steps);
   if (checked.steps < 1)
     throw InputError(file.string() +
                      ": time.duration_s: the run has no step, expected a duration of at least one step_s, "

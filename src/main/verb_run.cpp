@@ -57,6 +57,10 @@ std::vector<Experiment> prepare(const RunOptions& options) {
 void printText(const std::vector<Experiment>& experiments) {
   for (const Experiment& experiment : experiments) {
     const std::string& name = experiment.checked().loaded.scenario.name;
+    if (!experiment.error().empty()) {
+      std::cerr << experiment.error() << "\n";
+      continue;
+    }
     if (!experiment.info()) {
       std::cout << name << ": interrupted before a run was finished, no result\n";
       continue;
@@ -94,7 +98,8 @@ Verb addRun(CLI::App& app, const std::string& command_line) {
   const auto options = std::make_shared<RunOptions>();
   CLI::App* command = app.add_subcommand("run", "simulate scenarios and write one result file for each");
   addScenarioOptions(*command, options->scenarios);
-  command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5");
+  command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
+      ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); });
   command->add_flag("--force", options->force, "replace an existing result");
   command
       ->add_option("-j,--jobs", options->slots,

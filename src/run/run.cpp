@@ -15,11 +15,22 @@ namespace {
 constexpr double kTimeSlack =
     1e-9;  // of a step: what rounding may add to a time that is meant to be a whole number of steps
 
-int firstNonFinite(const std::vector<Vec3>& positions_m) {
-  for (std::size_t i = 0; i < positions_m.size(); ++i) {
-    if (!positions_m[i].allFinite()) return static_cast<int>(i);
+/// Beyond this no scene of surgery lies, and nothing can be measured: the simulation has exploded.
+constexpr double kFarthest_m = 1e4;
+
+bool isUsable(const Vec3& position_m) {
+  return (position_m.array().abs() <= kFarthest_m).all();
+}  // NaN is not
+
+/// What first left the finite scene, or "".
+std::string lost(const State& state) {
+  for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
+    if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i);
   }
-  return -1;
+  for (std::size_t t = 0; t < state.tools.size(); ++t) {
+    if (!isUsable(state.tools[t].pose.position_m)) return "tool " + std::to_string(t);
+  }
+  return "";
 }
 
 std::string format(const char* pattern, double value) {
@@ -55,7 +66,8 @@ Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
     longest_s = std::max(longest_s, motions_.back()->duration_s());
   }
   const double duration_s = scenario.time.duration_s.value_or(longest_s);
-  steps_ = static_cast<std::int64_t>(std::ceil(duration_s / scenario.time.step_s - kTimeSlack));
+  steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
+  settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   simulation_ = makeSimulation(scenario, pipeline, scene_, posesAt(0));
 }
 
@@ -85,7 +97,7 @@ bool Run::advance(std::int64_t step, State& state) {
   state.step = step;
   state.time_s = time_s;
   state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
-  return firstNonFinite(state.positions_m) < 0;
+  return lost(state).empty();
 }
 
 void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames) {
@@ -107,11 +119,13 @@ RunStatus Run::execute(const Outputs& outputs) {
   State state;
   RecordRow row(outputs.layout.columns());
   RunStatus status;
-  const std::int64_t settling =
-      static_cast<std::int64_t>(std::ceil(scenario_.time.settle_s / scenario_.time.step_s - kTimeSlack));
+  const std::int64_t total = settling_steps_ + steps_;
   bool finite = true;
-  for (std::int64_t i = 0; i < settling && finite; ++i) finite = advance(0, state);
-  if (settling == 0) state = simulation_->state();
+  for (std::int64_t i = 0; i < settling_steps_ && finite; ++i) {
+    finite = advance(0, state);
+    if (outputs.progress) outputs.progress(i + 1, total);
+  }
+  if (settling_steps_ == 0) state = simulation_->state();
   state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
   std::unique_ptr<FrameSource> frames;
@@ -121,15 +135,14 @@ RunStatus Run::execute(const Outputs& outputs) {
   while (finite && step < steps_) {
     finite = advance(++step, state);
     emit(outputs, state, row, frames.get());
-    if (outputs.progress) outputs.progress(step, steps_);
+    if (outputs.progress) outputs.progress(settling_steps_ + step, total);
   }
 
   Summary summary = {{"engine_version", engineVersion()}};
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.status = "non_finite";
-    status.detail = "tissue vertex " + std::to_string(firstNonFinite(state.positions_m)) +
-                    " is no longer finite at step " + std::to_string(step) +
+    status.detail = lost(state) + " is not finite or more than 10 km away at step " + std::to_string(step) +
                     format(" (t = %g s)", state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);

@@ -32,14 +32,15 @@ class Run {
     const RecordLayout& layout;  ///< as declareLayout() made it from the same probes
     /// Makes the renderer from the first state; called once, and only when the scenario asks for frames.
     std::function<std::unique_ptr<FrameSource>(const State& first)> make_frame_source;
-    std::function<void(std::int64_t step, std::int64_t steps)> progress;
+    std::function<void(std::int64_t step, std::int64_t steps)> progress;  ///< settling steps included
   };
 
   /// The record's columns: `time`, then the probes' series.
   static RecordLayout declareLayout(std::vector<std::unique_ptr<Probe>>& probes);
 
-  /// Runs to the end, or to the first non-finite tissue position (status non_finite, with when and where),
-  /// then hands status and summary to the sink. Errors of sink and renderer pass through.
+  /// Runs to the end, or until a position of tissue or tool is not finite or 10 km away (status non_finite,
+  /// with when and where); then hands status and summary to the sink. Errors of sink and renderer pass
+  /// through.
   RunStatus execute(const Outputs& outputs);
 
  private:
@@ -51,7 +52,7 @@ class Run {
   const PipelineSettings& pipeline_;
   Scene scene_;
   std::vector<std::unique_ptr<Motion>> motions_;
-  std::int64_t steps_ = 0;
+  std::int64_t steps_ = 0, settling_steps_ = 0;
   std::unique_ptr<Simulation> simulation_;
 };
 

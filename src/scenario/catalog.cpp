@@ -7,7 +7,9 @@ const Catalog& catalog() {
       .pipelines =
           {{"default",
             "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
-           {"null", "default behind a detector of ours that only delegates; must equal default bit for bit"},
+           {"null",
+            "(write it in quotes) default behind a detector of ours that only delegates; must equal default "
+            "bit for bit"},
            {"raycast",
             "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
            {"fukuhara",

@@ -100,6 +100,13 @@ struct Scenario {
 /// Whether `text` can name a scenario or an item of it: 1 to 64 letters, digits, '_' and '-' (ASCII).
 bool isName(std::string_view text);
 
+/// More steps than this are refused, recorded or settling.
+constexpr double max_steps = 1e8;
+
+/// Whole steps of step_s that cover duration_s; what rounding adds to a whole number of steps does not count.
+/// May exceed what an integer holds: check against max_steps first.
+double stepsToCover(double duration_s, double step_s);
+
 /// One thing wrong with a scenario; `path` as in `tools.spatula.shape.size_m` or `pipelines.0.sweeps`.
 struct Problem {
   std::string path;

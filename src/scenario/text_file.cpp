@@ -39,6 +39,9 @@ std::string readTextFile(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(file, ignored)) {
     throw InputError(file.string() + ": is a folder, expected a file");
   }
+  if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
+    throw InputError(file.string() + ": is no regular file, expected a text file");
+  }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     const bool exists = std::filesystem::exists(file, ignored);

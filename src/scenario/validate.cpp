@@ -10,7 +10,6 @@ namespace fissure {
 
 namespace {
 
-constexpr double max_steps = 1e8;
 constexpr double max_pictures = 1e6;
 constexpr double max_triangles = 1 << 20;
 constexpr double max_nodes = 1 << 21;
@@ -140,6 +139,11 @@ bool isName(std::string_view text) {
   return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
     return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-');
   });
+}
+
+double stepsToCover(double duration_s, double step_s) {
+  constexpr double slack = 1e-9;  // of a step
+  return std::ceil(duration_s / step_s - slack);
 }
 
 std::vector<Problem> validate(const Scenario& scenario) {

@@ -192,7 +192,21 @@ TEST(Simulation, TheDefaultLetsTheSpatulaInAndTheFullMethodHolds) {
   };
   const double lower_face = 0.0615 - 0.0002 * 100 - 0.001;
   EXPECT_GT(topUnderBlade(Press("default", "stock").run(100)), lower_face + 0.005);
-  EXPECT_LT(topUnderBlade(Press("fukuhara").run(100)), lower_face);
+  const double held = topUnderBlade(Press("fukuhara").run(100));
+  EXPECT_GT(held, 0) << "tissue is still there, below the blade";
+  EXPECT_LT(held, lower_face);
+}
+
+// A blade at rest on held tissue feels the elastic force alone: x' is zero, and nothing is clamped. (The
+// engine's own velocities would say tens of m/s.)
+TEST(Simulation, AtRestTheForceIsElastic) {
+  Press held("fukuhara");
+  held.run(60);
+  for (int i = 0; i < 300; ++i) held.simulation().step({at(0.0615 - 0.0002 * 60)});
+  const ForceSample& force = held.simulation().state().forces[0];
+  EXPECT_GT(force.elastic_N, 1);
+  EXPECT_LT(std::abs(force.viscous_N), 0.02 * force.elastic_N);
+  EXPECT_EQ(force.adhesion_clamped, 0);
 }
 
 }  // namespace

@@ -158,6 +158,12 @@ TEST_F(RunTest, ANonFiniteStateEndsTheRunAndSaysWhenAndWhere) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(RunTest, ABodyTenKilometresAwayIsNoResult) {
+  scenario.world.gravity_m_s2 = Vec3(0, -1e7, 0);
+  EXPECT_EQ(execute().status, "non_finite");
+  EXPECT_NE(sink.status.detail.find("10 km"), std::string::npos) << sink.status.detail;
+}
+
 TEST_F(RunTest, AStatedDurationCutsTheMotion) {
   scenario.time.duration_s = 0.04;
   execute();

@@ -1,0 +1,67 @@
+// The claims of README on the shipped configs: what holds, what does not.
+#include <gtest/gtest.h>
+
+#include "program.h"
+#include "store/result_file.h"
+
+namespace fissure::programs {
+namespace {
+
+double quantity(const ResultInfo& info, const std::string& pipeline, const std::string& name) {
+  for (const PipelineResult& result : info.pipelines) {
+    if (result.name != pipeline) continue;
+    EXPECT_EQ(result.status.status, "ok") << result.status.detail;
+    for (const SummaryValue& value : result.summary) {
+      if (value.name != name) continue;
+      if (const double* real = std::get_if<double>(&value.value)) return *real;
+      return static_cast<double>(std::get<long long>(value.value));
+    }
+  }
+  ADD_FAILURE() << pipeline << " has no " << name;
+  return std::numeric_limits<double>::quiet_NaN();  // fails every comparison
+}
+
+/// The config without frames, its press at `speed_m_s` and the given nodes on each large face.
+ResultInfo press(const std::string& config, const std::string& tool, const std::string& speed_m_s,
+                 int nodes) {
+  const Folder folder;
+  const std::string resolution = "[" + std::to_string(nodes) + ", " + std::to_string(nodes) + "]";
+  const Outcome outcome =
+      runFissure(folder, {"run", FISSURE_SOURCE_DIR "/configs/" + config, "--no-frames", "-o", "out.h5",
+                          "--set", "tools." + tool + ".motion.segments.0.speed_m_s=" + speed_m_s, "--set",
+                          "tools." + tool + ".nodes.resolution=" + resolution});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return readResultInfo(folder / "out.h5");
+}
+
+TEST(Claims, TheSpatulaEntersBulletsDefaultAndIsHeldByTheFullMethod) {
+  for (const std::string speed : {"0.1", "2"}) {
+    const ResultInfo info = press("spatula_press.yaml", "spatula", speed, 8);
+    EXPECT_GT(quantity(info, "default", "max_penetration_depth_m"), 0.02);
+    EXPECT_GT(quantity(info, "default_tuned", "max_penetration_depth_m"), 0.02);
+    EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0005);
+    EXPECT_EQ(quantity(info, "fukuhara", "max_inverted_triangles"), 0);
+    EXPECT_GT(quantity(info, "raycast", "max_inverted_triangles"), 20)
+        << "without association tissue is torn over";
+    EXPECT_GT(quantity(info, "raycast", "force_roughness"),
+              2 * quantity(info, "fukuhara", "force_roughness"));
+  }
+}
+
+TEST(Claims, SixteenNodesHoldToATenthOfAMillimetre) {
+  const ResultInfo info = press("spatula_press.yaml", "spatula", "0.5", 16);
+  EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0001);
+  EXPECT_EQ(quantity(info, "fukuhara", "passed_through_samples"), 0);
+}
+
+TEST(Claims, OnALargePlateTheTunedDefaultHoldsSlowAndFailsFast) {
+  const ResultInfo slow = press("plate_press.yaml", "plate", "0.5", 16);
+  EXPECT_LE(quantity(slow, "default_tuned", "max_penetration_depth_m"), 0.0001);
+  EXPECT_LE(quantity(slow, "fukuhara", "max_penetration_depth_m"), 0.0001);
+  const ResultInfo fast = press("plate_press.yaml", "plate", "10", 16);
+  EXPECT_GT(quantity(fast, "default_tuned", "max_penetration_depth_m"), 0.001);
+  EXPECT_LE(quantity(fast, "fukuhara", "max_penetration_depth_m"), 0.0001);
+}
+
+}  // namespace
+}  // namespace fissure::programs
