@@ -77,6 +77,12 @@ TEST(BadFile, FolderAsScenario) {
   expectRefused(runFissure(folder, {"run", "."}), ".");
 }
 
+TEST(BadFile, PipeAsScenario) {
+  const Folder folder;
+  ASSERT_EQ(runTool(folder, {"mkfifo", "s.yaml"}).code, 0);
+  expectRefused(runFissure(folder, {"validate", "s.yaml"}), "no regular file");
+}
+
 TEST(BadFile, SurfaceWithAHole) {
   const Folder folder;
   folder.write("s.yaml",
@@ -96,6 +102,22 @@ std::string replayScenario() {
          "      file: hand.csv\n"
          "      rate_hz: 1000\n" +
          script.substr(to);
+}
+
+TEST(BadFile, LogThatLastsForAges) {
+  const Folder folder;
+  folder.write("s.yaml",
+               with(with(replayScenario(), "rate_hz: 1000", "time_column: t"), ", duration_s: 0.03", ""));
+  for (const std::string end : {"1e9", "1e300"}) {
+    folder.write("hand.csv", "t,x,y,z\n0,0,0.062,0\n" + end + ",0,0.06,0\n");
+    expectRefused(runFissure(folder, {"plan", "s.yaml"}), "1e8 steps");
+  }
+}
+
+TEST(BadFile, EmptyNameForTheResult) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  expectRefused(runFissure(folder, {"run", "s.yaml", "-o", ""}), "-o");
 }
 
 TEST(BadFile, Logs) {

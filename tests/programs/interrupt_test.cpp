@@ -71,6 +71,39 @@ TEST(Interrupted, FinishedPipelinesOfAScenarioAreKept) {
   EXPECT_EQ(info.pipelines[1].status.status, "interrupted");
 }
 
+// With --force an older, whole result is not given up for a part of a newer one.
+TEST(Interrupted, AnOlderResultIsLeftAlone) {
+  const Folder folder;
+  const std::string entries = "[{name: a, pipeline: fukuhara}, {name: b, pipeline: fukuhara}]";
+  folder.write("s.yaml", pressScenario(entries, "4"));
+  ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--set", "time.duration_s=0.01"}).code, 0);
+  const std::string older = folder.read("out.h5");
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5", "--force"});
+  const pid_t first = run.waitForWorker();
+  ASSERT_GT(first, 0);
+  ASSERT_GT(run.waitForWorker(first), 0);
+  run.send(SIGINT);
+  EXPECT_EQ(run.wait().code, 130);
+  EXPECT_EQ(folder.names(), (Names{"out.h5", "out.interrupted.h5", "s.yaml"}));
+  EXPECT_EQ(folder.read("out.h5"), older);
+  EXPECT_EQ(readResultInfo(folder / "out.interrupted.h5").pipelines[0].status.status, "ok");
+}
+
+// Workers read a log for themselves: one that changes under way may have given them different motions.
+TEST(Inputs, ChangedWhileTheRunsGoOnFailThem) {
+  const Folder folder;
+  folder.write("s.yaml",
+               pressScenario("[{name: a, pipeline: fukuhara}, {name: b, pipeline: fukuhara}]", "1"));
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  ASSERT_GT(run.waitForWorker(), 0);
+  folder.write("s.yaml", "something else\n");
+  EXPECT_EQ(run.wait().code, 3);
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  ASSERT_EQ(info.pipelines.size(), 2u);
+  EXPECT_EQ(info.pipelines[1].status.status, "failed");
+  EXPECT_NE(info.pipelines[1].status.detail.find("changed"), std::string::npos);
+}
+
 TEST(Killed, WorkerIsACrashAndTheOthersGoOn) {
   const Folder folder;
   folder.write("s.yaml",
