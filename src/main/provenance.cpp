@@ -117,7 +117,8 @@ Provenance collectProvenance(const LoadedScenario& loaded, const std::string& in
           {"compiler_flags", build.flags},
           {"build_type", build.build_type},
           {"hdf5_version", hdf5Version()},
-          {"yaml_cpp_version", build.yaml_cpp_version}};
+          {"yaml_cpp_version", build.yaml_cpp_version},
+          {"seed", "none: nothing is random"}};
 }
 
 }  // namespace fissure

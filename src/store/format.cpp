@@ -18,6 +18,23 @@ void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunSt
   h5::setAttribute(group, "status_detail", status.detail);
 }
 
+void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws) {
+  for (const ForceSettings& law : laws) {
+    h5::setAttribute(force, law.name + "_model", law.model);
+    h5::setAttribute(force, law.name + "_k", law.k);
+    if (law.model != "hunt_crossley") {
+      h5::setAttribute(force, law.name + "_k_units", std::string("newton per metre"));
+      continue;
+    }
+    h5::setAttribute(force, law.name + "_k_units", std::string("newton per metre to the power n"));
+    h5::setAttribute(force, law.name + "_lambda", law.lambda);
+    h5::setAttribute(force, law.name + "_lambda_units",
+                     std::string("newton second per metre to the power n + 1"));
+    h5::setAttribute(force, law.name + "_n", law.n);
+    h5::setAttribute(force, law.name + "_rate", law.rate);
+  }
+}
+
 hsize_t committedLength(hid_t time) {
   std::vector<double> times_s(h5::shapeOf(time).front());
   h5::check(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, times_s.data()),

@@ -139,9 +139,10 @@ TEST(Run, ProvenanceNamesEverythingAndNoMachine) {
   ASSERT_EQ(
       runFissure(folder, {"run", (folder / "s.yaml").string(), "-o", (folder / "out.h5").string()}).code, 0);
   const ResultInfo info = readResultInfo(folder / "out.h5");
-  for (const char* name : {"version", "commit", "dirty", "scenario_hash", "input_hashes", "command_line",
-                           "started_utc", "ended_utc", "wall_time_s", "cpu_model", "cpu_count", "os",
-                           "compiler", "compiler_flags", "build_type", "hdf5_version", "yaml_cpp_version"})
+  for (const char* name :
+       {"version", "commit", "dirty", "scenario_hash", "input_hashes", "command_line", "started_utc",
+        "ended_utc", "wall_time_s", "cpu_model", "cpu_count", "os", "compiler", "compiler_flags",
+        "build_type", "hdf5_version", "yaml_cpp_version", "seed"})
     EXPECT_NE(provenanceOf(info, name), "") << name;
   EXPECT_EQ(provenanceOf(info, "command_line"), "fissure run s.yaml -o out.h5");
   const std::string inputs = provenanceOf(info, "input_hashes");

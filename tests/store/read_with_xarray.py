@@ -51,6 +51,9 @@ def check_series(data, rows):
     assert data.contact_count.dtype == np.int64, "counts stay whole"
     assert data.saturated.dtype == np.uint8 and data.saturated.attrs["flag_meanings"] == "false true"
     same(data.force.sel(law="linear", xyz="z"), 100 + row + 0.2)
+    assert data.force.attrs["hc_model"] == "hunt_crossley" and data.force.attrs["linear_model"] == "linear_elastic"
+    assert data.force.attrs["hc_lambda_units"] == "newton second per metre to the power n + 1"
+    assert "linear_lambda" not in data.force.attrs
 
 
 def check_pictures(data, snapshots, frames):
