@@ -94,10 +94,6 @@ void PartFile::makeDatasets(const PartHeader& header) {
   GroupBuilder group(pipelines, header.pipeline.name);
   describePipeline(group.id(), header.pipeline, {"incomplete", ""});
   series_.emplace(group, header.layout, rowsInChunk(header.expected_rows));
-  if (header.layout.find("force")) {
-    const h5::Id force = h5::openDataset(group.id(), "force");
-    describeForceLaws(force, header.scenario.force);
-  }
   const RecordSettings& record = header.scenario.record;
   if (record.snapshots_every_s) {
     snapshots_.emplace(group, header.scene, expectedSnapshots(header));

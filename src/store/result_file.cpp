@@ -76,7 +76,8 @@ std::optional<PartReader> openPart(const PartResult& result, RunStatus& status) 
   }
 }
 
-void writePipeline(const h5::OutputFile& file, hid_t pipelines, const PartResult& result) {
+void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vector<ForceSettings>& laws,
+                   const PartResult& result) {
   RunStatus status = result.status;
   const std::optional<PartReader> part = openPart(result, status);
   const h5::Id group = h5::createGroup(pipelines, result.pipeline.name);
@@ -84,6 +85,8 @@ void writePipeline(const h5::OutputFile& file, hid_t pipelines, const PartResult
   if (!part) return;
   part->copyTo(group, file);
   attachScales(group);
+  // Here and not in the part: H5Ocopy of HDF5 1.10.8 crashes on a dataset with more than eight attributes.
+  if (h5::exists(group, "force")) describeForceLaws(h5::openDataset(group, "force"), laws);
   if (h5::exists(group, "frames")) addFrameImages(group, "/pipelines/" + result.pipeline.name);
 }
 
@@ -93,7 +96,7 @@ void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const
   writeProvenance(file, loaded, provenance);
   {
     const h5::Id pipelines = h5::createGroup(file, "pipelines");
-    for (const PartResult& part : parts) writePipeline(file, pipelines, part);
+    for (const PartResult& part : parts) writePipeline(file, pipelines, loaded.scenario.force, part);
   }
   h5::setAttribute(file, "complete", std::int32_t{1});
 }
