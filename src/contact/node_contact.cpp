@@ -66,12 +66,14 @@ void NodeContact::report(State& state, ContactPatch& patch) const {
     if (shown == NodeState::free || shown == NodeState::infeasible) shown = candidate.state;
     if (candidate.state == NodeState::infeasible) continue;
     if (candidate.state == NodeState::capped) ++state.capped_count;
-    patch.face_normals[rays_.firstFace(candidate.body) + candidate.face] += candidate.constraint.normal;
+    if (patch.hasNormals())
+      patch.face_normals[rays_.firstFace(candidate.body) + candidate.face] += candidate.constraint.normal;
   }
   for (const ContactConstraint& contact : constraints_) {
     for (int j = 0; j < 3; ++j) {
       patch.vertex_contact[contact.vertices[j]] = 1;
-      patch.vertex_normals[contact.vertices[j]] += contact.weights[j] * contact.normal;
+      if (patch.hasNormals())
+        patch.vertex_normals[contact.vertices[j]] += contact.weights[j] * contact.normal;
     }
   }
 }

@@ -27,7 +27,7 @@ class NodePipeline : public Pipeline {
         contact_(context.scene, contactSettings(context)),
         inverse_masses_(context.world.inverseMasses()),
         positions_m_(context.scene.vertexCount()) {
-    patch_.resize(context.scene.vertexCount(), context.scene.faceCount());
+    patch_.resize(context.scene.vertexCount(), context.scene.faceCount(), !context.scenario.force.empty());
     world_.solver().setAfterSolve([this] { afterSolve(); });
   }
 

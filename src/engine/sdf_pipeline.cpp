@@ -48,7 +48,7 @@ class SdfPipeline : public Pipeline {
         const int vertex = first_vertex + static_cast<int>(contact.m_node - &soft->m_nodes[0]);
         ++state.contact_count;
         patch.vertex_contact[vertex] = 1;
-        patch.vertex_normals[vertex] += fromBullet(contact.m_cti.m_normal);
+        if (patch.hasNormals()) patch.vertex_normals[vertex] += fromBullet(contact.m_cti.m_normal);
       }
       first_vertex += soft->m_nodes.size();
     }

@@ -60,7 +60,7 @@ class BulletSimulation : public Simulation {
     if (!scenario.force.empty())
       forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_);
     for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
-    patch_.resize(scene.vertexCount(), scene.faceCount());
+    patch_.resize(scene.vertexCount(), scene.faceCount(), !scenario.force.empty());
     patch_.clear();
     state_.positions_m.resize(scene.vertexCount());
     state_.velocities_m_s.resize(scene.vertexCount());

@@ -39,7 +39,7 @@ class NodeContactTest : public testing::Test {
       positions.insert(positions.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
     }
     inverse_masses.assign(positions.size(), 10.0);
-    patch.resize(scene.vertexCount(), scene.faceCount());
+    patch.resize(scene.vertexCount(), scene.faceCount(), true);
   }
 
   /// The blade's middle moves to height y (from where it was) in a step of 1 ms.
@@ -210,7 +210,7 @@ TEST(NodeContactVetoes, OnlyAnActingNodeExcludesOthers) {
   const std::vector<double> inverse_masses(positions.size(), 10.0);
   State state;
   ContactPatch patch;
-  patch.resize(scene.vertexCount(), scene.faceCount());
+  patch.resize(scene.vertexCount(), scene.faceCount(), true);
   const std::vector<ToolState> above = {{.pose = {.position_m = Vec3(0, 0.04, 0)}}};
   const std::vector<ToolState> inside = {{.pose = {.position_m = Vec3(0, 0.02, 0)}}};
   contact.step(positions, inverse_masses, above, inside, 0.001, state, patch);

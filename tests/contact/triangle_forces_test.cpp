@@ -16,7 +16,7 @@ class TriangleForcesTest : public testing::Test {
     scene.bodies.push_back({.name = "box", .rest = makeBox({0.02, 0.02, 0.02})});
     state.positions_m = scene.bodies[0].rest.vertices_m;
     state.velocities_m_s.assign(state.positions_m.size(), Vec3::Zero());
-    patch.resize(scene.vertexCount(), scene.faceCount());
+    patch.resize(scene.vertexCount(), scene.faceCount(), true);
     patch.clear();
   }
   TriangleForces forces() {
