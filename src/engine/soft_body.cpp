@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/convert.h"
+#include "scenario/catalog.h"
 
 namespace fissure {
 
@@ -61,9 +62,16 @@ void appendBendingLinks(btSoftBody& body, int distance) {
   }
 }
 
+btSoftBody::eAeroModel::_ aeroModel(const std::string& name) {
+  const auto& table = catalog().aero_models;
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const CatalogEntry& e) { return e.name == name; });
+  return static_cast<btSoftBody::eAeroModel::_>(found - table.begin());
+}
+
 void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
                          double kinematic_hardness) {
-  config.aeromodel = btSoftBody::eAeroModel::V_Point;  // for drag and lift: a point at each vertex
+  config.aeromodel = aeroModel(solver.aero_model);
   config.collisions =
       btSoftBody::fCollision::SDF_RS;  // vertices against rigid shapes; bodies ignore each other
   config.kVCF = scalar(solver.velocity_correction);

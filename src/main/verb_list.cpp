@@ -15,7 +15,7 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 10> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 11> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
@@ -24,7 +24,8 @@ int listCatalog() {
                                         {"interpolations", tables.interpolations},
                                         {"settings", tables.settings},
                                         {"precisions", tables.precisions},
-                                        {"rates", tables.rates}}};
+                                        {"rates", tables.rates},
+                                        {"aero models", tables.aero_models}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";
     for (const CatalogEntry& entry : entries)

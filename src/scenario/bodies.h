@@ -43,22 +43,23 @@ struct MaterialSettings {
 
 /// Bullet's btSoftBody::Config, field by field, with Bullet's own defaults.
 struct SolverSettings {
-  double velocity_correction = 1.0;  ///< kVCF, Baumgarte factor of the drift solver, >= 0
-  double damping = 0.0;              ///< kDP, share of velocity lost in a step, 0..1
-  double drag = 0.0;                 ///< kDG, >= 0
-  double lift = 0.0;                 ///< kLF, >= 0
-  double pressure = 0.0;             ///< kPR
-  double volume_conservation = 0.0;  ///< kVC, >= 0
-  double dynamic_friction = 0.2;     ///< kDF, 0..1
-  double pose_matching = 0.0;        ///< kMT, 0..1: share of the way to the matched rest shape in a step
-  double rigid_hardness = 1.0;       ///< kCHR, 0..1: contacts with dynamic bodies
-  double soft_hardness = 1.0;        ///< kSHR, 0..1: contacts with soft bodies
-  double anchor_hardness = 0.7;      ///< kAHR, 0..1
-  double max_volume = 1.0;           ///< maxvolume, of pose matching, > 0
-  double time_scale = 1.0;           ///< timescale, > 0
-  int velocity_iterations = 0;       ///< viterations, 0..1000
-  int position_iterations = 1;       ///< piterations, 1..1000
-  int drift_iterations = 0;          ///< diterations, 0..1000
+  double velocity_correction = 1.0;    ///< kVCF, Baumgarte factor of the drift solver, >= 0
+  double damping = 0.0;                ///< kDP, share of velocity lost in a step, 0..1
+  double drag = 0.0;                   ///< kDG, >= 0
+  double lift = 0.0;                   ///< kLF, >= 0
+  double pressure = 0.0;               ///< kPR
+  double volume_conservation = 0.0;    ///< kVC, >= 0
+  double dynamic_friction = 0.2;       ///< kDF, 0..1
+  double pose_matching = 0.0;          ///< kMT, 0..1: share of the way to the matched rest shape in a step
+  double rigid_hardness = 1.0;         ///< kCHR, 0..1: contacts with dynamic bodies
+  double soft_hardness = 1.0;          ///< kSHR, 0..1: contacts with soft bodies
+  double anchor_hardness = 0.7;        ///< kAHR, 0..1
+  double max_volume = 1.0;             ///< maxvolume, of pose matching, > 0
+  double time_scale = 1.0;             ///< timescale, > 0
+  int velocity_iterations = 0;         ///< viterations, 0..1000
+  int position_iterations = 1;         ///< piterations, 1..1000
+  int drift_iterations = 0;            ///< diterations, 0..1000
+  std::string aero_model = "V_Point";  ///< aeromodel, for drag and lift: a name in catalog().aero_models
 
   bool operator==(const SolverSettings&) const = default;
 };

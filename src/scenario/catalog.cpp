@@ -31,6 +31,13 @@ const Catalog& catalog() {
       .precisions = {{"f64", "Bullet in double precision"}},
       .rates = {{"differences", "of deformation: what the tissue did from step to step"},
                 {"velocities", "of deformation: from the engine's vertex velocities"}},
+      .aero_models = {{"V_Point", "drag and lift at vertices, along the vertex normal towards the wind"},
+                      {"V_TwoSided", "at vertices, both sides alike"},
+                      {"V_TwoSidedLiftDrag", "at vertices, both sides, lift and drag"},
+                      {"V_OneSided", "at vertices, the outer side alone"},
+                      {"F_TwoSided", "at faces, both sides alike"},
+                      {"F_TwoSidedLiftDrag", "at faces, both sides, lift and drag"},
+                      {"F_OneSided", "at faces, the outer side alone"}},
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}},
   };
   return tables;

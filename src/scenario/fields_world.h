@@ -58,6 +58,7 @@ void describe(Io& io, SolverSettings& s) {
   io.field("velocity_iterations", s.velocity_iterations);
   io.field("position_iterations", s.position_iterations);
   io.field("drift_iterations", s.drift_iterations);
+  io.choice("aero_model", s.aero_model, catalog().aero_models);
 }
 
 template <class Io>

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <type_traits>
 
+#include "scenario/catalog.h"
 #include "scenario/checker.h"
 
 namespace fissure {
@@ -56,6 +57,7 @@ void checkSolver(Checker check, const SolverSettings& s) {
   check.between("velocity_iterations", s.velocity_iterations, 0, 1000);
   check.between("position_iterations", s.position_iterations, 1, 1000);
   check.between("drift_iterations", s.drift_iterations, 0, 1000);
+  check.oneOf("aero_model", s.aero_model, catalog().aero_models);
 }
 
 }  // namespace

@@ -30,7 +30,6 @@ TEST_P(SoftBodyLinks, AreBulletsLinkForLink) {
   const auto [subdivisions, distance, randomize] = GetParam();
   const TriangleMesh mesh = makeSphere(0.03, subdivisions);
   BodySettings settings;
-  settings.shape = SphereShape{};
   settings.bending_distance = distance;
   settings.randomize_links = randomize;
   btSoftBodyWorldInfo info;
@@ -61,7 +60,6 @@ INSTANTIATE_TEST_SUITE_P(SmallSpheres, SoftBodyLinks,
 
 TEST(SoftBody, AppliesEverySetting) {
   BodySettings settings;
-  settings.shape = SphereShape{};
   settings.mass_kg = 0.25;
   settings.margin_m = 0.003;
   settings.material = {.linear_stiffness = 0.11, .angular_stiffness = 0.12, .volume_stiffness = 0.13};
@@ -80,7 +78,8 @@ TEST(SoftBody, AppliesEverySetting) {
                      .time_scale = 1.34,
                      .velocity_iterations = 3,
                      .position_iterations = 4,
-                     .drift_iterations = 5};
+                     .drift_iterations = 5,
+                     .aero_model = "F_TwoSidedLiftDrag"};
   btSoftBodyWorldInfo info;
   const auto body = makeSoftBody(info, makeSphere(0.03, 2), settings, 0.77);
   EXPECT_EQ(body->m_materials[0]->m_kLST, btScalar(0.11));
@@ -104,6 +103,7 @@ TEST(SoftBody, AppliesEverySetting) {
   EXPECT_EQ(config.viterations, 3);
   EXPECT_EQ(config.piterations, 4);
   EXPECT_EQ(config.diterations, 5);
+  EXPECT_EQ(config.aeromodel, btSoftBody::eAeroModel::F_TwoSidedLiftDrag);
   EXPECT_NEAR(body->getTotalMass(), 0.25, 1e-12);
   EXPECT_EQ(body->getCollisionShape()->getMargin(), btScalar(0.003));
   EXPECT_TRUE(body->m_pose.m_bvolume);
@@ -114,7 +114,6 @@ TEST(SoftBody, AppliesEverySetting) {
 TEST(SoftBody, BuildsALargeBody) {
   btSoftBodyWorldInfo info;
   BodySettings settings;
-  settings.shape = SphereShape{};
   const auto body = makeSoftBody(info, makeSphere(0.03, 6), settings, 0.1);
   EXPECT_EQ(body->m_faces.size(), 32768);
 }

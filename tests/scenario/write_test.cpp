@@ -34,7 +34,8 @@ const char* const every_field =
     "    solver: {velocity_correction: 0.9, damping: 0.1, drag: 0.2, lift: 0.3, pressure: -4,\n"
     "             volume_conservation: 0.5, dynamic_friction: 0.6, pose_matching: 0.7, rigid_hardness: 0.8,\n"
     "             soft_hardness: 0.85, anchor_hardness: 0.95, max_volume: 1.1, time_scale: 1.2,\n"
-    "             velocity_iterations: 1, position_iterations: 2, drift_iterations: 3}\n"
+    "             velocity_iterations: 1, position_iterations: 2, drift_iterations: 3, aero_model: "
+    "F_OneSided}\n"
     "  - {name: cube, shape: {type: box, size_m: [0.1, 0.2, 0.3]}}\n"
     "  - name: tetrahedron\n"
     "    shape:\n"
@@ -112,8 +113,8 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.ground, (GroundSettings{-0.25, 0.7, 0.9}));
   const BodySettings& ball = s.bodies[0];
   EXPECT_EQ(ball.material, (MaterialSettings{0.1, 0.2, 0.3}));
-  EXPECT_EQ(ball.solver,
-            (SolverSettings{0.9, 0.1, 0.2, 0.3, -4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.95, 1.1, 1.2, 1, 2, 3}));
+  EXPECT_EQ(ball.solver, (SolverSettings{0.9, 0.1, 0.2, 0.3, -4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.95, 1.1, 1.2, 1,
+                                         2, 3, "F_OneSided"}));
   EXPECT_EQ(ball, (BodySettings{"ball",
                                 SphereShape{0.031, 1},
                                 {1, 2, 3},
