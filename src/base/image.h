@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/state.h"
@@ -22,6 +23,8 @@ class FrameSource {
   /// The scene in `state`, with `lines` of text (printable ASCII) in a corner. Throws RunError when drawing
   /// fails.
   virtual Image draw(const State& state, const std::vector<std::string>& lines) = 0;
+  /// What draws, for provenance: names and versions, as in {"gl_renderer", "llvmpipe ..."}.
+  virtual std::vector<std::pair<std::string, std::string>> versions() const = 0;
 };
 
 }  // namespace fissure

@@ -19,6 +19,8 @@ class RecordSink {
   virtual void append(const RecordRow& row) = 0;
   virtual void snapshot(const State& state) = 0;
   virtual void frame(double time_s, const Image& image) = 0;
+  /// Values named "timing/..." depend on the clock; those named "provenance/..." are texts that say what made
+  /// the run.
   virtual void finish(const RunStatus& status, const Summary& summary) = 0;
 };
 

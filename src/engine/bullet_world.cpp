@@ -23,6 +23,7 @@ void StagedSoftBodySolver::solveConstraints(btScalar step_s) {
 void TimedWorld::performDiscreteCollisionDetection() {
   const auto start = std::chrono::steady_clock::now();
   btSoftRigidDynamicsWorld::performDiscreteCollisionDetection();
+  if (after_detection_) after_detection_();
   detection_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -43,15 +44,15 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
   btSoftBodyWorldInfo& info = world_->getWorldInfo();
   info.m_gravity = gravity;
   info.air_density = static_cast<btScalar>(scenario.world.air_density_kg_m3);
-  info.water_density = 0;  // no medium but air
+  // Bullet 3.24 reads water but then gives every medium the density of air: no field of a scenario.
+  info.water_density = 0;
   info.water_offset = 0;
   info.water_normal = btVector3(0, 0, 0);
   info.m_maxDisplacement = static_cast<btScalar>(scenario.world.max_displacement_m);
   info.m_sparsesdf.setDefaultVoxelsz(static_cast<btScalar>(pipeline.sdfVoxel_m()));
   info.m_sparsesdf.Reset();  // a new voxel size applies from here on
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    bodies_.push_back(
-        makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline.kinematicHardness()));
+    bodies_.push_back(makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline));
     world_->addSoftBody(bodies_.back().get());
   }
 }

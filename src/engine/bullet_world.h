@@ -32,12 +32,17 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
   std::function<void()> after_solve_;
 };
 
-/// Bullet's world with a stop-watch on its collision stage.
+/// Bullet's world with a stop-watch on its collision stage, and a look at what that stage found: contacts of
+/// clusters are gone when the step ends.
 class TimedWorld : public btSoftRigidDynamicsWorld {
  public:
   using btSoftRigidDynamicsWorld::btSoftRigidDynamicsWorld;
   void performDiscreteCollisionDetection() override;
+  void setAfterDetection(std::function<void()> stage) { after_detection_ = std::move(stage); }
   double detection_us = 0;  ///< of the last step
+
+ private:
+  std::function<void()> after_detection_;
 };
 
 /// The soft bodies and the ground of a scenario in a Bullet world. Pipelines add their tools and stages to

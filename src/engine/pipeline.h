@@ -44,6 +44,7 @@ const PipelineFactory& pipelineFactory(const std::string& name);
 const std::vector<PipelineFactory>& pipelineFactories();
 
 std::unique_ptr<Pipeline> makeSdfPipeline(const PipelineContext& context);
+std::unique_ptr<Pipeline> makeClusterPipeline(const PipelineContext& context);
 std::unique_ptr<Pipeline> makeNodePipeline(const PipelineContext& context);
 std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> makeDelegatingConfiguration();
 

@@ -1,9 +1,7 @@
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-
 #include <limits>
 
 #include "engine/convert.h"
-#include "engine/pipeline.h"
+#include "engine/kinematic_tools.h"
 
 namespace fissure {
 
@@ -13,28 +11,10 @@ namespace {
 /// are tested against.
 class SdfPipeline : public Pipeline {
  public:
-  explicit SdfPipeline(const PipelineContext& context) : world_(context.world) {
-    for (std::size_t t = 0; t < context.scenario.tools.size(); ++t) {
-      const ToolSettings& tool = context.scenario.tools[t];
-      shapes_.push_back(std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * tool.shape.size_m))));
-      btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-      info.m_startWorldTransform = toBullet(context.first_poses[t]);
-      info.m_friction = static_cast<btScalar>(tool.friction);
-      bodies_.push_back(std::make_unique<btRigidBody>(info));
-      btRigidBody& body = *bodies_.back();
-      body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
-      body.setActivationState(
-          DISABLE_DEACTIVATION);  // before it is added: a sleeping tool never gets its velocity
-      world_.world().addRigidBody(&body);
-    }
-  }
-  ~SdfPipeline() override {
-    for (const auto& body : bodies_) world_.world().removeRigidBody(body.get());
-  }
+  explicit SdfPipeline(const PipelineContext& context) : world_(context.world), tools_(context) {}
 
-  // Only the world transform: Bullet takes the velocity from its difference to the interpolation transform.
   void moveTools(const std::vector<ToolState>&, const std::vector<ToolState>& now) override {
-    for (std::size_t t = 0; t < bodies_.size(); ++t) bodies_[t]->setWorldTransform(toBullet(now[t].pose));
+    tools_.move(now);
   }
 
   void report(State& state, ContactPatch& patch) override {
@@ -44,7 +24,7 @@ class SdfPipeline : public Pipeline {
     for (const auto& soft : world_.bodies()) {
       for (int i = 0; i < soft->m_rcontacts.size(); ++i) {
         const btSoftBody::RContact& contact = soft->m_rcontacts[i];
-        if (!isTool(contact.m_cti.m_colObj)) continue;
+        if (!tools_.contains(contact.m_cti.m_colObj)) continue;
         const int vertex = first_vertex + static_cast<int>(contact.m_node - &soft->m_nodes[0]);
         ++state.contact_count;
         patch.vertex_contact[vertex] = 1;
@@ -59,16 +39,8 @@ class SdfPipeline : public Pipeline {
   }
 
  private:
-  bool isTool(const btCollisionObject* object) const {
-    for (const auto& body : bodies_) {
-      if (body.get() == object) return true;
-    }
-    return false;
-  }
-
   BulletWorld& world_;
-  std::vector<std::unique_ptr<btCollisionShape>> shapes_;
-  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+  KinematicTools tools_;
 };
 
 }  // namespace

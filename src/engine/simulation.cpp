@@ -9,9 +9,8 @@ namespace fissure {
 
 const std::vector<PipelineFactory>& pipelineFactories() {
   static const std::vector<PipelineFactory> factories = {
-      {"default", nullptr, &makeSdfPipeline},
-      {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
-      {"raycast", nullptr, &makeNodePipeline},
+      {"default", nullptr, &makeSdfPipeline},     {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
+      {"cluster", nullptr, &makeClusterPipeline}, {"raycast", nullptr, &makeNodePipeline},
       {"fukuhara", nullptr, &makeNodePipeline},
   };
   return factories;
@@ -30,10 +29,14 @@ std::vector<std::string> enginePipelines() {
   return names;
 }
 
+std::string enginePrecision() {
+  return sizeof(btScalar) == 8 ? "f64" : "f32";
+}
+
 std::string engineVersion() {
   const int version = btGetVersion();
   return "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100) +
-         (sizeof(btScalar) == 8 ? ", double precision" : ", single precision");
+         (enginePrecision() == "f64" ? ", double precision" : ", single precision");
 }
 
 namespace {

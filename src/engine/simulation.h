@@ -36,4 +36,7 @@ std::vector<std::string> enginePipelines();
 /// "Bullet 3.24, double precision".
 std::string engineVersion();
 
+/// Which of catalog().precisions this engine was built in.
+std::string enginePrecision();
+
 }  // namespace fissure

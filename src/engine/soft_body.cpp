@@ -69,11 +69,19 @@ btSoftBody::eAeroModel::_ aeroModel(const std::string& name) {
   return static_cast<btSoftBody::eAeroModel::_>(found - table.begin());
 }
 
+/// How the body meets rigid shapes, by the pipeline, and other soft bodies. (Bullet's flag for clusters that
+/// collide with their own body, CL_SELF, switches cluster contact off altogether in 3.24: not offered.)
+int collisionFlags(const BodySettings& settings, const PipelineSettings& pipeline) {
+  using Flags = btSoftBody::fCollision;
+  const int rigid = pipeline.usesClusters() ? Flags::CL_RS : Flags::SDF_RS;
+  if (settings.soft_contact == "vertices") return rigid | Flags::VF_SS;
+  if (settings.soft_contact == "clusters") return rigid | Flags::CL_SS;
+  return rigid;
+}
+
 void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
                          double kinematic_hardness) {
   config.aeromodel = aeroModel(solver.aero_model);
-  config.collisions =
-      btSoftBody::fCollision::SDF_RS;  // vertices against rigid shapes; bodies ignore each other
   config.kVCF = scalar(solver.velocity_correction);
   config.kDP = scalar(solver.damping);
   config.kDG = scalar(solver.drag);
@@ -93,10 +101,29 @@ void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solve
   config.diterations = solver.drift_iterations;
 }
 
+void makeClusters(btSoftBody& body, const ClusterSettings& clusters, int least_iterations) {
+  btSoftBody::Config& config = body.m_cfg;
+  config.citerations = std::max(clusters.iterations, least_iterations);
+  config.kSRHR_CL = scalar(clusters.rigid_hardness);
+  config.kSKHR_CL = scalar(clusters.kinematic_hardness);
+  config.kSSHR_CL = scalar(clusters.soft_hardness);
+  config.kSR_SPLT_CL = scalar(clusters.rigid_split);
+  config.kSK_SPLT_CL = scalar(clusters.kinematic_split);
+  config.kSS_SPLT_CL = scalar(clusters.soft_split);
+  body.generateClusters(clusters.count);
+  for (int i = 0; i < body.m_clusters.size(); ++i) {
+    btSoftBody::Cluster& cluster = *body.m_clusters[i];
+    cluster.m_ndamping = scalar(clusters.node_damping);
+    cluster.m_ldamping = scalar(clusters.linear_damping);
+    cluster.m_adamping = scalar(clusters.angular_damping);
+    cluster.m_matching = scalar(clusters.matching);
+  }
+}
+
 }  // namespace
 
 std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const TriangleMesh& rest,
-                                         const BodySettings& settings, double kinematic_hardness) {
+                                         const BodySettings& settings, const PipelineSettings& pipeline) {
   std::vector<btVector3> vertices;
   for (const Vec3& v : rest.vertices_m) vertices.push_back(toBullet(v));
   auto body =
@@ -108,10 +135,13 @@ std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const 
   appendMeshLinks(*body, rest);
   if (settings.randomize_links) body->randomizeConstraints();
   if (settings.bending_distance > 1) appendBendingLinks(*body, settings.bending_distance);
-  applySolverSettings(body->m_cfg, settings.solver, kinematic_hardness);
+  applySolverSettings(body->m_cfg, settings.solver, pipeline.kinematicHardness());
+  body->m_cfg.collisions = collisionFlags(settings, pipeline);
   body->getCollisionShape()->setMargin(scalar(settings.margin_m));
   body->setTotalMass(scalar(settings.mass_kg), settings.mass_from_faces);
   body->setPose(settings.pose_volume, settings.pose_frame);
+  if (pipeline.usesClusters() || settings.soft_contact == "clusters")
+    makeClusters(*body, settings.clusters, pipeline.leastClusterIterations());
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
 }

@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "base/error.h"
+#include "engine/simulation.h"
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
@@ -48,6 +49,9 @@ void work(const std::string& file, const std::string& directory, const std::stri
       parseScenario(text, std::filesystem::path(directory) / std::filesystem::path(file).filename());
   const Scenario& scenario = loaded.scenario;
   const PipelineSettings& pipeline = findPipeline(scenario, name);
+  if (pipeline.precision != enginePrecision())
+    throw InputError("the entry '" + name + "' wants precision " + pipeline.precision + ", this worker is " +
+                     enginePrecision());
   Run run(scenario, pipeline);
   auto probes = makeProbes(scenario, pipeline, run.scene());
   const RecordLayout layout = Run::declareLayout(probes);

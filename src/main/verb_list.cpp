@@ -15,7 +15,7 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 11> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 12> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
@@ -25,7 +25,8 @@ int listCatalog() {
                                         {"settings", tables.settings},
                                         {"precisions", tables.precisions},
                                         {"rates", tables.rates},
-                                        {"aero models", tables.aero_models}}};
+                                        {"aero models", tables.aero_models},
+                                        {"soft contacts", tables.soft_contacts}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";
     for (const CatalogEntry& entry : entries)

@@ -48,6 +48,10 @@ class OffscreenRenderer : public FrameSource {
     return image;
   }
 
+  std::vector<std::pair<std::string, std::string>> versions() const override {
+    return {{"gl_version", mesa_.version()}, {"gl_renderer", mesa_.renderer()}};
+  }
+
  private:
   Scene scene_;
   Camera camera_;

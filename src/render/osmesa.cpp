@@ -93,6 +93,7 @@ void OsMesa::loadFunctions(const std::string& library) {
   function(gl_.finish, "glFinish");
   function(gl_.getError, "glGetError");
   function(gl_.getIntegerv, "glGetIntegerv");
+  function(gl_.getString, "glGetString");
   function(gl_.lineStipple, "glLineStipple");
   function(gl_.lineWidth, "glLineWidth");
   function(gl_.loadMatrixd, "glLoadMatrixd");
@@ -101,6 +102,11 @@ void OsMesa::loadFunctions(const std::string& library) {
   function(gl_.readPixels, "glReadPixels");
   function(gl_.vertexPointer, "glVertexPointer");
   function(gl_.viewport, "glViewport");
+}
+
+std::string OsMesa::text(GLenum name) const {
+  const GLubyte* text = gl_.getString(name);
+  return text == nullptr ? "unknown" : reinterpret_cast<const char*>(text);
 }
 
 void OsMesa::makeCurrent() {

@@ -29,6 +29,7 @@ struct GlFunctions {
   decltype(&::glFinish) finish = nullptr;
   decltype(&::glGetError) getError = nullptr;
   decltype(&::glGetIntegerv) getIntegerv = nullptr;
+  decltype(&::glGetString) getString = nullptr;
   decltype(&::glLineStipple) lineStipple = nullptr;
   decltype(&::glLineWidth) lineWidth = nullptr;
   decltype(&::glLoadMatrixd) loadMatrixd = nullptr;
@@ -52,6 +53,10 @@ class OsMesa {
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
+  /// "3.1 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)", or "unknown".
+  std::string version() const { return text(GL_VERSION); }
+  std::string renderer() const { return text(GL_RENDERER); }
+
   /// The picture after everything asked for is drawn: 4 bytes a pixel, rows from bottom to top. Throws
   /// RunError when OpenGL reports an error.
   std::span<const std::uint8_t> finishedPicture();
@@ -65,6 +70,7 @@ class OsMesa {
   };
 
   void loadFunctions(const std::string& library);
+  std::string text(GLenum name) const;
 
   int width_px_ = 0;
   int height_px_ = 0;

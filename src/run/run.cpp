@@ -138,7 +138,10 @@ RunStatus Run::execute(const Outputs& outputs) {
     if (outputs.progress) outputs.progress(settling_steps_ + step, total);
   }
 
-  Summary summary = {{"engine_version", engineVersion()}};
+  Summary summary = {{"provenance/engine_version", engineVersion()}};
+  if (frames) {
+    for (const auto& [name, value] : frames->versions()) summary.push_back({"provenance/" + name, value});
+  }
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.status = "non_finite";

@@ -64,6 +64,26 @@ struct SolverSettings {
   bool operator==(const SolverSettings&) const = default;
 };
 
+/// Bullet's clusters of tissue vertices, each moved as one rigid piece by its contacts. Built only where the
+/// pipeline `cluster` or `soft_contact: clusters` needs them; Bullet's own defaults but the count, which has
+/// none.
+struct ClusterSettings {
+  int count = 32;                   ///< 0: one for each triangle, else 1..65536
+  int iterations = 4;               ///< citerations, 1..1000
+  double rigid_hardness = 0.1;      ///< kSRHR_CL, 0..1: with dynamic bodies
+  double kinematic_hardness = 1.0;  ///< kSKHR_CL, 0..1: with tools
+  double soft_hardness = 0.5;       ///< kSSHR_CL, 0..1: with soft bodies
+  double rigid_split = 0.5;         ///< kSR_SPLT_CL, 0..1: share of the overlap removed as displacement
+  double kinematic_split = 0.5;     ///< kSK_SPLT_CL, 0..1
+  double soft_split = 0.5;          ///< kSS_SPLT_CL, 0..1
+  double node_damping = 0.0;        ///< m_ndamping, 0..1
+  double linear_damping = 0.0;      ///< m_ldamping, 0..1
+  double angular_damping = 0.0;     ///< m_adamping, 0..1
+  double matching = 0.0;            ///< m_matching, 0..1
+
+  bool operator==(const ClusterSettings&) const = default;
+};
+
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
@@ -77,8 +97,11 @@ struct BodySettings {
   bool randomize_links = true;   ///< Bullet's fixed shuffle of links and faces
   bool pose_volume = true;       ///< setPose(volume, .): remember the rest volume
   bool pose_frame = true;        ///< setPose(., frame): remember the rest shape, for pose matching
+  /// What two soft bodies do when they meet, if both say the same: a name in catalog().soft_contacts.
+  std::string soft_contact = "none";
   MaterialSettings material;
   SolverSettings solver;
+  ClusterSettings clusters;
 
   bool operator==(const BodySettings&) const = default;
 };

@@ -10,6 +10,7 @@ const Catalog& catalog() {
            {"null",
             "(write it in quotes) default behind a detector of ours that only delegates; must equal default "
             "bit for bit"},
+           {"cluster", "Bullet's own contact of clusters: pieces of tissue against the convex tool (GJK)"},
            {"raycast",
             "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
            {"fukuhara",
@@ -27,8 +28,9 @@ const Catalog& catalog() {
       .interpolations = {{"linear", "straight lines between samples"},
                          {"monotone_cubic", "smooth, without overshoot (Fritsch and Carlson 1980)"}},
       .settings = {{"stock", "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1"},
-                   {"tuned", "SDF voxel 0.5 mm, kinematic contact hardness 1"}},
-      .precisions = {{"f64", "Bullet in double precision"}},
+                   {"tuned",
+                    "SDF voxel 0.5 mm, kinematic contact hardness 1; clusters: at least 20 iterations"}},
+      .precisions = {{"f64", "Bullet in double precision"}, {"f32", "Bullet in single precision"}},
       .rates = {{"differences", "of deformation: what the tissue did from step to step"},
                 {"velocities", "of deformation: from the engine's vertex velocities"}},
       .aero_models = {{"V_Point", "drag and lift at vertices, along the vertex normal towards the wind"},
@@ -38,6 +40,9 @@ const Catalog& catalog() {
                       {"F_TwoSided", "at faces, both sides alike"},
                       {"F_TwoSidedLiftDrag", "at faces, both sides, lift and drag"},
                       {"F_OneSided", "at faces, the outer side alone"}},
+      .soft_contacts = {{"none", "soft bodies ignore each other"},
+                        {"vertices", "Bullet's vertices against faces"},
+                        {"clusters", "Bullet's clusters against clusters"}},
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}},
   };
   return tables;

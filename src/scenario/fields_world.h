@@ -62,6 +62,22 @@ void describe(Io& io, SolverSettings& s) {
 }
 
 template <class Io>
+void describe(Io& io, ClusterSettings& c) {
+  io.field("count", c.count);
+  io.field("iterations", c.iterations);
+  io.field("rigid_hardness", c.rigid_hardness);
+  io.field("kinematic_hardness", c.kinematic_hardness);
+  io.field("soft_hardness", c.soft_hardness);
+  io.field("rigid_split", c.rigid_split);
+  io.field("kinematic_split", c.kinematic_split);
+  io.field("soft_split", c.soft_split);
+  io.field("node_damping", c.node_damping);
+  io.field("linear_damping", c.linear_damping);
+  io.field("angular_damping", c.angular_damping);
+  io.field("matching", c.matching);
+}
+
+template <class Io>
 void describe(Io& io, BodySettings& b) {
   io.required("name", b.name);
   io.tagged("shape", b.shape, catalog().body_shapes);
@@ -74,8 +90,10 @@ void describe(Io& io, BodySettings& b) {
   io.field("randomize_links", b.randomize_links);
   io.field("pose_volume", b.pose_volume);
   io.field("pose_frame", b.pose_frame);
+  io.choice("soft_contact", b.soft_contact, catalog().soft_contacts);
   io.field("material", b.material);
   io.field("solver", b.solver);
+  io.field("clusters", b.clusters);
 }
 
 template <class Io>

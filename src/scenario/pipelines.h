@@ -10,7 +10,8 @@ struct PipelineSettings {
   std::string name;               ///< unique; default: the pipeline's
   std::string pipeline;           ///< a name in catalog().pipelines
   std::string precision = "f64";  ///< of the engine's own state
-  /// "stock": Bullet's defaults for the two fields below; "tuned": 0.0005 m and 1.
+  /// "stock": Bullet's defaults for the two fields below; "tuned": 0.0005 m and 1. For pipeline `cluster`,
+  /// "tuned" is at least 20 cluster iterations.
   std::string settings = "stock";
 
   /// Bullet's own contact with the tool (pipelines `default`, `null`); no value: as `settings` says.
@@ -32,6 +33,12 @@ struct PipelineSettings {
 
   /// Whether this pipeline detects contacts with tool nodes; the others use Bullet's own contact.
   bool usesNodes() const { return pipeline == "raycast" || pipeline == "fukuhara"; }
+  /// Whether Bullet tests tissue vertices against the tool's signed distance field.
+  bool usesSdf() const { return pipeline == "default" || pipeline == "null"; }
+  /// Whether Bullet tests clusters of tissue vertices against the tool.
+  bool usesClusters() const { return pipeline == "cluster"; }
+  /// The fewest cluster iterations that `settings` asks for.
+  int leastClusterIterations() const { return usesClusters() && settings == "tuned" ? 20 : 1; }
 
   /// The optional fields with their defaults applied.
   double sdfVoxel_m() const { return sdf_voxel_m.value_or(settings == "tuned" ? 0.0005 : 0.25); }
@@ -40,9 +47,8 @@ struct PipelineSettings {
 
   /// Writes these defaults into their fields, so that a stored scenario says every number that was used.
   void fillDefaults() {
-    if (usesNodes()) {
-      vertex_contacts = vertexContacts();
-    } else {
+    if (usesNodes()) vertex_contacts = vertexContacts();
+    if (usesSdf()) {
       sdf_voxel_m = sdfVoxel_m();
       kinematic_hardness = kinematicHardness();
     }

@@ -60,6 +60,21 @@ void checkSolver(Checker check, const SolverSettings& s) {
   check.oneOf("aero_model", s.aero_model, catalog().aero_models);
 }
 
+void checkClusters(Checker check, const ClusterSettings& c) {
+  check.between("count", c.count, 0, 65536);
+  check.between("iterations", c.iterations, 1, 1000);
+  check.between("rigid_hardness", c.rigid_hardness, 0, 1);
+  check.between("kinematic_hardness", c.kinematic_hardness, 0, 1);
+  check.between("soft_hardness", c.soft_hardness, 0, 1);
+  check.between("rigid_split", c.rigid_split, 0, 1);
+  check.between("kinematic_split", c.kinematic_split, 0, 1);
+  check.between("soft_split", c.soft_split, 0, 1);
+  check.between("node_damping", c.node_damping, 0, 1);
+  check.between("linear_damping", c.linear_damping, 0, 1);
+  check.between("angular_damping", c.angular_damping, 0, 1);
+  check.between("matching", c.matching, 0, 1);
+}
+
 }  // namespace
 
 void checkBody(Checker check, const BodySettings& body) {
@@ -75,7 +90,9 @@ void checkBody(Checker check, const BodySettings& body) {
   material.between("linear_stiffness", body.material.linear_stiffness, 0, 1);
   material.between("angular_stiffness", body.material.angular_stiffness, 0, 1);
   material.between("volume_stiffness", body.material.volume_stiffness, 0, 1);
+  check.oneOf("soft_contact", body.soft_contact, catalog().soft_contacts);
   checkSolver(check.in("solver"), body.solver);
+  checkClusters(check.in("clusters"), body.clusters);
 }
 
 }  // namespace fissure

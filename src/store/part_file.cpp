@@ -25,8 +25,9 @@ std::size_t expectedSnapshots(const PartHeader& header) {
 
 // Where a summary value belongs: "timing/x" is attribute x of the group timing.
 std::pair<std::string, std::string> groupAndAttribute(const std::string& name) {
-  const std::string prefix = "timing/";
-  if (name.starts_with(prefix)) return {"timing", name.substr(prefix.size())};
+  for (const std::string group : {"timing", "provenance"}) {
+    if (name.starts_with(group + "/")) return {group, name.substr(group.size() + 1)};
+  }
   return {"summary", name};
 }
 
@@ -178,8 +179,9 @@ void PartFile::writeSummary(const RunStatus& status, const Summary& summary) con
     for (const auto& [name, value] : summary) {
       const auto [below, attribute] = groupAndAttribute(name);
       if (attribute.find('/') != std::string::npos) throw std::logic_error("unknown group: " + name);
+      const hid_t parent = below == "provenance" ? hid_t{file} : hid_t{group};
       const h5::Id target =
-          h5::exists(group, below) ? h5::openGroup(group, below) : h5::createGroup(group, below);
+          h5::exists(parent, below) ? h5::openGroup(parent, below) : h5::createGroup(parent, below);
       if (const auto* number = std::get_if<double>(&value)) h5::setAttribute(target, attribute, *number);
       if (const auto* text = std::get_if<std::string>(&value)) h5::setAttribute(target, attribute, *text);
       if (const auto* count = std::get_if<long long>(&value)) {

@@ -90,6 +90,14 @@ PartReader::PartReader(const std::filesystem::path& path, const std::string& pip
   checkDatasets(group_, committedLengths(group_));
 }
 
+std::vector<std::pair<std::string, std::string>> PartReader::provenance() const {
+  std::vector<std::pair<std::string, std::string>> texts;
+  const h5::Id group = h5::openGroup(file_, "provenance");
+  for (const std::string& name : h5::attributeNames(group))
+    texts.emplace_back(name, h5::textAttribute(group, name));
+  return texts;
+}
+
 void PartReader::copyTo(hid_t group, const h5::OutputFile& file) const {
   copyContents(group_, group, committedLengths(group_), file);
 }

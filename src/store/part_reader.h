@@ -2,6 +2,8 @@
 
 #include <filesystem>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "store/h5.h"
 #include "store/output_file.h"
@@ -14,6 +16,9 @@ class PartReader {
   /// Opens the part and checks that it is one and holds the group of `pipeline`, readable down to the last
   /// dataset. Throws RunError.
   PartReader(const std::filesystem::path& path, const std::string& pipeline);
+
+  /// What the worker says of itself: the texts of the part's /provenance.
+  std::vector<std::pair<std::string, std::string>> provenance() const;
 
   /// Copies datasets, subgroups and their attributes into `group`, but not the attributes of the pipeline's
   /// group itself, and cuts what a killed worker left unfinished: every growing axis ends at its last written

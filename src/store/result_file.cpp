@@ -1,5 +1,6 @@
 #include "store/result_file.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <ctime>
@@ -76,13 +77,41 @@ std::optional<PartReader> openPart(const PartResult& result, RunStatus& status) 
   }
 }
 
+/// What the workers say of themselves: each text once for each name, in the order of the parts.
+class WorkerProvenance {
+ public:
+  void add(const PartReader& part) {
+    for (const auto& [name, value] : part.provenance()) {
+      std::vector<std::string>& known = valuesOf(name);
+      if (std::find(known.begin(), known.end(), value) == known.end()) known.push_back(value);
+    }
+  }
+  void write(hid_t group) const {
+    for (const auto& [name, values] : names_) {
+      std::string text;
+      for (const std::string& value : values) text += (text.empty() ? "" : "; ") + value;
+      h5::setAttribute(group, name, text);
+    }
+  }
+
+ private:
+  std::vector<std::string>& valuesOf(const std::string& name) {
+    for (auto& [known, values] : names_) {
+      if (known == name) return values;
+    }
+    return names_.emplace_back(name, std::vector<std::string>{}).second;
+  }
+  std::vector<std::pair<std::string, std::vector<std::string>>> names_;
+};
+
 void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vector<ForceSettings>& laws,
-                   const PartResult& result) {
+                   const PartResult& result, WorkerProvenance& workers) {
   RunStatus status = result.status;
   const std::optional<PartReader> part = openPart(result, status);
   const h5::Id group = h5::createGroup(pipelines, result.pipeline.name);
   describePipeline(group, result.pipeline, status);
   if (!part) return;
+  workers.add(*part);
   part->copyTo(group, file);
   attachScales(group);
   // Here and not in the part: H5Ocopy of HDF5 1.10.8 crashes on a dataset with more than eight attributes.
@@ -96,7 +125,9 @@ void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const
   writeProvenance(file, loaded, provenance);
   {
     const h5::Id pipelines = h5::createGroup(file, "pipelines");
-    for (const PartResult& part : parts) writePipeline(file, pipelines, loaded.scenario.force, part);
+    WorkerProvenance workers;
+    for (const PartResult& part : parts) writePipeline(file, pipelines, loaded.scenario.force, part, workers);
+    workers.write(h5::openGroup(file, "provenance"));
   }
   h5::setAttribute(file, "complete", std::int32_t{1});
 }

@@ -35,7 +35,10 @@ Scenario press() {
 Scene sceneOf(const Scenario& scenario, bool with_nodes) {
   Scene scene;
   for (const BodySettings& body : scenario.bodies)
-    scene.bodies.push_back({.name = body.name, .rest = placeBody(body)});
+    scene.bodies.push_back({.name = body.name,
+                            .rest = placeBody(body),
+                            .first_vertex = scene.vertexCount(),
+                            .first_face = scene.faceCount()});
   for (const ToolSettings& tool : scenario.tools) {
     scene.tools.push_back(
         {.name = tool.name, .surface = makeBox(tool.shape.size_m), .box_size_m = tool.shape.size_m});
@@ -132,6 +135,49 @@ TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
     if (reference.empty()) reference = simulation->state().positions_m;
     EXPECT_EQ(simulation->state().positions_m, reference) << pipeline.name;
   }
+}
+
+// The blade comes down onto the sphere: no contact before it is there, then some, and the vertices of its
+// clusters collide.
+TEST(Simulation, ClustersCollideWithTheBlade) {
+  Press press("cluster", "stock");
+  int contacts = 0;
+  for (int i = 0; i < 40; ++i) {
+    const State& state = press.step();
+    contacts += state.contact_count;
+    const auto colliding = std::count(state.vertex_contact.begin(), state.vertex_contact.end(), 1);
+    EXPECT_EQ(colliding > 0, state.contact_count > 0) << "step " << i;
+    EXPECT_TRUE(std::isnan(state.reaction_on_tool_N.y())) << "Bullet does not say it";
+  }
+  EXPECT_GT(contacts, 0);
+}
+
+// A sphere falls from 5 mm above onto another that stands on the ground: it goes into it unless both are told
+// to collide.
+TEST(Simulation, SoftBodiesMeetAsAsked) {
+  const auto gapAfterFall = [](const std::string& soft_contact) {
+    Scenario scenario = press();
+    scenario.tools.clear();
+    scenario.bodies.push_back(scenario.bodies[0]);
+    scenario.bodies[1].name = "upper";
+    scenario.bodies[1].position_m.y() = 0.095;
+    for (BodySettings& body : scenario.bodies) body.soft_contact = soft_contact;
+    const PipelineSettings entry{.name = "default", .pipeline = "default"};
+    const Scene scene = sceneOf(scenario, false);
+    auto simulation = makeSimulation(scenario, entry, scene, {});
+    for (int i = 0; i < 120; ++i) simulation->step({});
+    Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+    const std::vector<Vec3>& positions_m = simulation->state().positions_m;
+    const std::size_t half = positions_m.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      lower += positions_m[i] / static_cast<double>(half);
+      upper += positions_m[half + i] / static_cast<double>(half);
+    }
+    return upper.y() - lower.y();
+  };
+  EXPECT_LT(gapAfterFall("none"), 0.02) << "nothing holds the upper one: through";
+  EXPECT_GT(gapAfterFall("vertices"), 0.03);
+  EXPECT_GT(gapAfterFall("clusters"), 0.03);
 }
 
 // Free fall for a body without ground or tool: v = g t, and Bullet's semi-implicit Euler y = -g dt^2 n (n +

@@ -9,6 +9,9 @@
 namespace fissure {
 namespace {
 
+const PipelineSettings default_pipeline{.name = "default", .pipeline = "default"};
+const PipelineSettings cluster_pipeline{.name = "cluster", .pipeline = "cluster"};
+
 std::unique_ptr<btSoftBody> bulletsOwn(btSoftBodyWorldInfo& info, const TriangleMesh& mesh,
                                        const BodySettings& settings) {
   std::vector<btScalar> vertices;
@@ -33,7 +36,7 @@ TEST_P(SoftBodyLinks, AreBulletsLinkForLink) {
   settings.bending_distance = distance;
   settings.randomize_links = randomize;
   btSoftBodyWorldInfo info;
-  const auto ours = makeSoftBody(info, mesh, settings, 0.1);
+  const auto ours = makeSoftBody(info, mesh, settings, default_pipeline);
   const auto theirs = bulletsOwn(info, mesh, settings);
   ASSERT_EQ(ours->m_links.size(), theirs->m_links.size());
   for (int i = 0; i < ours->m_links.size(); ++i) {
@@ -81,7 +84,9 @@ TEST(SoftBody, AppliesEverySetting) {
                      .drift_iterations = 5,
                      .aero_model = "F_TwoSidedLiftDrag"};
   btSoftBodyWorldInfo info;
-  const auto body = makeSoftBody(info, makeSphere(0.03, 2), settings, 0.77);
+  PipelineSettings hard = default_pipeline;
+  hard.kinematic_hardness = 0.77;
+  const auto body = makeSoftBody(info, makeSphere(0.03, 2), settings, hard);
   EXPECT_EQ(body->m_materials[0]->m_kLST, btScalar(0.11));
   EXPECT_EQ(body->m_materials[0]->m_kAST, btScalar(0.12));
   EXPECT_EQ(body->m_materials[0]->m_kVST, btScalar(0.13));
@@ -110,11 +115,62 @@ TEST(SoftBody, AppliesEverySetting) {
   EXPECT_TRUE(body->m_pose.m_bframe);
 }
 
+TEST(SoftBody, MeetsRigidAndSoftBodiesAsAsked) {
+  using Flags = btSoftBody::fCollision;
+  btSoftBodyWorldInfo info;
+  const auto flags = [&](const std::string& soft_contact, const PipelineSettings& pipeline) {
+    BodySettings settings;
+    settings.soft_contact = soft_contact;
+    return makeSoftBody(info, makeSphere(0.03, 1), settings, pipeline)->m_cfg.collisions;
+  };
+  EXPECT_EQ(flags("none", default_pipeline), Flags::SDF_RS);
+  EXPECT_EQ(flags("vertices", default_pipeline), Flags::SDF_RS | Flags::VF_SS);
+  EXPECT_EQ(flags("clusters", default_pipeline), Flags::SDF_RS | Flags::CL_SS);
+  EXPECT_EQ(flags("none", cluster_pipeline), Flags::CL_RS);
+  EXPECT_EQ(flags("vertices", cluster_pipeline), Flags::CL_RS | Flags::VF_SS);
+}
+
+TEST(SoftBody, AppliesEverySettingOfItsClusters) {
+  BodySettings settings;
+  settings.clusters = {.count = 5,
+                       .iterations = 6,
+                       .rigid_hardness = 0.21,
+                       .kinematic_hardness = 0.22,
+                       .soft_hardness = 0.23,
+                       .rigid_split = 0.24,
+                       .kinematic_split = 0.25,
+                       .soft_split = 0.26,
+                       .node_damping = 0.27,
+                       .linear_damping = 0.28,
+                       .angular_damping = 0.29,
+                       .matching = 0.31};
+  btSoftBodyWorldInfo info;
+  const auto body = makeSoftBody(info, makeSphere(0.03, 2), settings, cluster_pipeline);
+  const btSoftBody::Config& config = body->m_cfg;
+  EXPECT_EQ(config.citerations, 6);
+  EXPECT_EQ(config.kSRHR_CL, btScalar(0.21));
+  EXPECT_EQ(config.kSKHR_CL, btScalar(0.22));
+  EXPECT_EQ(config.kSSHR_CL, btScalar(0.23));
+  EXPECT_EQ(config.kSR_SPLT_CL, btScalar(0.24));
+  EXPECT_EQ(config.kSK_SPLT_CL, btScalar(0.25));
+  EXPECT_EQ(config.kSS_SPLT_CL, btScalar(0.26));
+  ASSERT_EQ(body->m_clusters.size(), 6);  // and Bullet's own, of the whole body
+  EXPECT_EQ(body->m_clusters[1]->m_ndamping, btScalar(0.27));
+  EXPECT_EQ(body->m_clusters[1]->m_ldamping, btScalar(0.28));
+  EXPECT_EQ(body->m_clusters[1]->m_adamping, btScalar(0.29));
+  EXPECT_EQ(body->m_clusters[1]->m_matching, btScalar(0.31));
+  PipelineSettings tuned = cluster_pipeline;
+  tuned.settings = "tuned";
+  EXPECT_EQ(makeSoftBody(info, makeSphere(0.03, 2), settings, tuned)->m_cfg.citerations, 20);
+  EXPECT_EQ(makeSoftBody(info, makeSphere(0.03, 2), settings, default_pipeline)->m_clusters.size(), 0)
+      << "clusters that nothing needs";
+}
+
 // Bullet's own tables would need 16 386 x 16 386 words here.
 TEST(SoftBody, BuildsALargeBody) {
   btSoftBodyWorldInfo info;
   BodySettings settings;
-  const auto body = makeSoftBody(info, makeSphere(0.03, 6), settings, 0.1);
+  const auto body = makeSoftBody(info, makeSphere(0.03, 6), settings, default_pipeline);
   EXPECT_EQ(body->m_faces.size(), 32768);
 }
 

@@ -86,7 +86,7 @@ TEST(Cost, UnaskedDatasetsAreAbsent) {
 
 // `plan` knows which pipelines put nodes on tools without asking the engine.
 TEST(Cost, PlanAndRunAgreeOnToolNodes) {
-  for (const std::string pipeline : {"default", "\"null\"", "raycast", "fukuhara"}) {
+  for (const std::string pipeline : {"default", "\"null\"", "cluster", "raycast", "fukuhara"}) {
     const Folder folder;
     folder.write("s.yaml", pressScenario("[{pipeline: " + pipeline + "}]", "0.005"));
     const Outcome plan = runFissure(folder, {"plan", "s.yaml"});

@@ -8,6 +8,7 @@
 
 #include "program.h"
 #include "scenarios.h"
+#include "store/read_series.h"
 #include "store/result_file.h"
 
 namespace fissure::programs {
@@ -62,6 +63,48 @@ TEST(Run, PrintsAnAlignedTable) {
   for (std::size_t i = 2; i < cells.size(); ++i)
     EXPECT_NE(cells[i], "-") << "column " << i << "\n" << outcome.out;
   EXPECT_NE(runFissure(folder, {"info", "out.h5"}).out.find(lines[3] + "\n" + lines[4]), std::string::npos);
+}
+
+std::string provenanceOf(const ResultInfo& info, const std::string& name) {
+  for (const auto& [key, value] : info.provenance) {
+    if (key == name) return value;
+  }
+  return "";
+}
+
+// Two workers, one result: single precision moves the tissue a little differently, and only a little.
+TEST(Run, PrecisionIsAFieldOfAnEntry) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{name: double, pipeline: fukuhara}, "
+                                       "{name: single, pipeline: fukuhara, precision: f32}]",
+                                       "0.02", "record: {snapshots_every_s: 0.02}\n"));
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5"}).code, 0);
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  EXPECT_EQ(provenanceOf(info, "engine_version"),
+            "Bullet 3.24, double precision; Bullet 3.24, single precision");
+  EXPECT_EQ(info.pipelines.at(1).precision, "f32");
+  const auto positions = [&](const std::string& name) {
+    return readSeries(folder / "out.h5", "/pipelines/" + name + "/positions").values;
+  };
+  const std::vector<double> exact = positions("double"), rounded = positions("single");
+  ASSERT_EQ(exact.size(), rounded.size());
+  ASSERT_FALSE(exact.empty());
+  double largest = 0;
+  for (std::size_t i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(exact[i] - rounded[i]));
+  EXPECT_GT(largest, 1e-12) << "the same numbers: not another precision";
+  EXPECT_LT(largest, 1e-3);
+}
+
+TEST(Run, ProvenanceNamesTheRendererOfFrames) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{pipeline: cluster}]", "0.005",
+                                       "record: {frames: {every_s: 0.005, size_px: [64, 48]}}\n"));
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "with.h5"}).code, 0);
+  const ResultInfo drawn = readResultInfo(folder / "with.h5");
+  EXPECT_NE(provenanceOf(drawn, "gl_version").find("Mesa"), std::string::npos);
+  EXPECT_NE(provenanceOf(drawn, "gl_renderer"), "");
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "without.h5", "--no-frames"}).code, 0);
+  EXPECT_EQ(provenanceOf(readResultInfo(folder / "without.h5"), "gl_version"), "");
 }
 
 TEST(Run, JsonSaysTheSameAsTheFile) {
@@ -124,12 +167,6 @@ TEST(Run, SeveralScenariosSideBySide) {
   EXPECT_EQ(readResultInfo(folder / "results/a.h5").pipelines.size(), 2u);
   EXPECT_EQ(readResultInfo(folder / "results/b.h5").pipelines.size(), 1u);
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "results"), {}), 2);
-}
-
-std::string provenanceOf(const ResultInfo& info, const std::string& name) {
-  for (const auto& [key, value] : info.provenance)
-    if (key == name) return value;
-  return "";
 }
 
 TEST(Run, ProvenanceNamesEverythingAndNoMachine) {

@@ -49,6 +49,9 @@ struct CountingFrames : FrameSource {
     lines->push_back(text);
     return {.width_px = 1, .height_px = 1, .rgb = {0, 0, 0}};
   }
+  std::vector<std::pair<std::string, std::string>> versions() const override {
+    return {{"gl_version", "counting 1.0"}};
+  }
 };
 
 /// A sphere and a blade that moves 10 mm down in 0.1 s, then rests 0.05 s; dt = 10 ms.
@@ -111,6 +114,21 @@ TEST_F(RunTest, RowsAreTheInitialStateAndEveryStepAtStepTimesDt) {
   EXPECT_TRUE(sink.finished);
   EXPECT_EQ(progress.size(), 15u);
   EXPECT_EQ(progress.back(), std::make_pair(std::int64_t{15}, std::int64_t{15}));
+}
+
+TEST_F(RunTest, SaysWhatMadeIt) {
+  const auto said = [&](const std::string& name) -> std::string {
+    for (const SummaryValue& value : sink.summary) {
+      if (value.name == name) return std::get<std::string>(value.value);
+    }
+    return "nothing";
+  };
+  execute();
+  EXPECT_EQ(said("provenance/engine_version"), "Bullet 3.24, double precision");
+  EXPECT_EQ(said("provenance/gl_version"), "nothing") << "no frame, no renderer";
+  scenario.record.frames = FrameSettings{};
+  execute();
+  EXPECT_EQ(said("provenance/gl_version"), "counting 1.0");
 }
 
 TEST_F(RunTest, SettlingIsSimulatedButNotRecorded) {

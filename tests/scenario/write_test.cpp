@@ -30,12 +30,16 @@ const char* const every_field =
     "    randomize_links: false\n"
     "    pose_volume: false\n"
     "    pose_frame: false\n"
+    "    soft_contact: vertices\n"
     "    material: {linear_stiffness: 0.1, angular_stiffness: 0.2, volume_stiffness: 0.3}\n"
     "    solver: {velocity_correction: 0.9, damping: 0.1, drag: 0.2, lift: 0.3, pressure: -4,\n"
     "             volume_conservation: 0.5, dynamic_friction: 0.6, pose_matching: 0.7, rigid_hardness: 0.8,\n"
     "             soft_hardness: 0.85, anchor_hardness: 0.95, max_volume: 1.1, time_scale: 1.2,\n"
     "             velocity_iterations: 1, position_iterations: 2, drift_iterations: 3, aero_model: "
     "F_OneSided}\n"
+    "    clusters: {count: 7, iterations: 8, rigid_hardness: 0.11, kinematic_hardness: 0.12,\n"
+    "               soft_hardness: 0.13, rigid_split: 0.14, kinematic_split: 0.15, soft_split: 0.16,\n"
+    "               node_damping: 0.17, linear_damping: 0.18, angular_damping: 0.19, matching: 0.2}\n"
     "  - {name: cube, shape: {type: box, size_m: [0.1, 0.2, 0.3]}}\n"
     "  - name: tetrahedron\n"
     "    shape:\n"
@@ -78,7 +82,7 @@ const char* const every_field =
     "pipelines:\n"
     "  - {name: a, pipeline: default, settings: tuned, sdf_voxel_m: 0.002, kinematic_hardness: 0.3, "
     "time_limit_s: 9}\n"
-    "  - {pipeline: \"null\"}\n"
+    "  - {pipeline: \"null\", precision: f32}\n"
     "  - {name: b, pipeline: fukuhara, ray_length_m: 0.06, vertex_contacts: true, sweeps: 11, "
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
@@ -126,8 +130,12 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                 false,
                                 false,
                                 false,
+                                "vertices",
                                 ball.material,
-                                ball.solver}));
+                                ball.solver,
+                                ball.clusters}));
+  EXPECT_EQ(ball.clusters,
+            (ClusterSettings{7, 8, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17, 0.18, 0.19, 0.2}));
   EXPECT_EQ(std::get<BoxShape>(s.bodies[1].shape).size_m, Vec3(0.1, 0.2, 0.3));
   const auto& triangles = std::get<TrianglesShape>(s.bodies[2].shape);
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
@@ -135,6 +143,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.pipelines[0],
             (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, {}, 10, 0.005, 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
+  EXPECT_EQ(s.pipelines[1].precision, "f32");
   EXPECT_EQ(s.pipelines[2],
             (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, true, 11, 0.02, 3600}));
   EXPECT_EQ(s.force,

@@ -49,6 +49,28 @@ TEST(Result, ReadsInXarrayWithoutAnyRow) {
   expectReadableWithPython(0);
 }
 
+// Each text once, in the order of the pipelines; no part's own summary repeats it.
+TEST(Result, ProvenanceSaysWhatTheWorkersWere) {
+  const TemporaryFolder folder;
+  const SampleRun run = makeSampleRun(3, true);
+  std::vector<PartResult> parts;
+  for (const PipelineSettings& pipeline : run.scenario.pipelines) {
+    const auto path = folder / (pipeline.name + ".part");
+    const auto part = openSamplePart(path, run, pipeline.name);
+    part->finish({"ok", ""}, {{"provenance/gl_version", std::string("one")},
+                              {"provenance/engine_version", "engine of " + pipeline.name}});
+    parts.push_back({pipeline, path, {"ok", ""}});
+  }
+  assembleResult(folder / "sample.h5", loadedSample(run), kProvenance, parts);
+  const ResultInfo info = readResultInfo(folder / "sample.h5");
+  Provenance expected = kProvenance;
+  expected.emplace_back("gl_version", "one");
+  expected.emplace_back("engine_version",
+                        "engine of " + parts[0].pipeline.name + "; engine of " + parts[1].pipeline.name);
+  EXPECT_EQ(info.provenance, expected);
+  EXPECT_TRUE(info.pipelines[0].summary.empty());
+}
+
 TEST(Result, InfoTellsWhatWasWritten) {
   const TemporaryFolder folder;
   const SampleRun run = makeSampleRun(6, true);

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+
+#include <memory>
+#include <vector>
+
+#include "engine/pipeline.h"
+
+namespace fissure {
+
+/// The tools as kinematic rigid bodies of Bullet's world, for the pipelines that use Bullet's own contact.
+/// In the world for as long as this object lives.
+class KinematicTools {
+ public:
+  explicit KinematicTools(const PipelineContext& context);
+  ~KinematicTools();
+  KinematicTools(const KinematicTools&) = delete;
+  KinematicTools& operator=(const KinematicTools&) = delete;
+
+  /// Before Bullet's step: to the poses at its end.
+  void move(const std::vector<ToolState>& now);
+  bool contains(const btCollisionObject* object) const;
+
+ private:
+  BulletWorld& world_;
+  std::vector<std::unique_ptr<btBoxShape>> shapes_;
+  std::vector<std::unique_ptr<btRigidBody>> bodies_;
+};
+
+}  // namespace fissure
