@@ -32,7 +32,7 @@ struct PressedSphere {
   ContactPatch patch;
 
   explicit PressedSphere(Scenario with) : scenario(std::move(with)) {
-    patch.resize(scene.vertexCount(), scene.faceCount(), true);
+    patch.resize(scene.vertexCount(), scene.faceCount(), 1);
     moveTool(kOutside_m);
   }
   void moveTool(double depth_m) {

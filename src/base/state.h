@@ -21,6 +21,9 @@ struct ForceSample {
   double elastic_N = 0;                 ///< sum of the triangles' elastic terms (magnitudes)
   double viscous_N = 0;                 ///< sum of the triangles' viscous terms (signed magnitudes)
   int adhesion_clamped = 0;  ///< triangles whose formula would have pulled; their force was set to 0
+  /// Of the triangles in a colliding state, by the law's own kind of deformation; 0 when there are none.
+  double deformation_max_m = 0, deformation_mean_m = 0;
+  double rate_max_m_s = 0, rate_min_m_s = 0, rate_mean_m_s = 0;  ///< positive while deformation grows
 };
 
 /// Wall time of one step, microseconds; NaN for the initial state.
@@ -49,6 +52,8 @@ struct State {
   Vec3 reaction_on_tool_N =
       Vec3::Zero();                 ///< momentum the tool contacts took from the tissue in the step, over dt
   std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
+  std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
+  int colliding_triangles = 0;      ///< with at least one vertex in a colliding state; 0 without force laws
   StepTiming timing;
 };
 

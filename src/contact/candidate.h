@@ -15,6 +15,7 @@ struct ContactConstraint {
   Vec3 position_m;                  ///< of the tool point, scene frame, end of the step
   Vec3 normal;                      ///< unit, scene frame
   double target_m = 0;  ///< least distance of the tissue point in front of the tool point, along normal
+  int tool = 0;
 };
 
 /// A contact that a tool node's ray proposes (step one of the method) and node association judges (step two).

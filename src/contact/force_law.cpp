@@ -24,6 +24,18 @@ class HuntCrossley : public ForceLaw {
   double k_, lambda_, n_;
 };
 
+class KelvinVoigt : public ForceLaw {
+ public:
+  KelvinVoigt(double k, double c) : k_(k), c_(c) {}
+  LawForce at(double deformation_m, double rate_m_s) const override {
+    if (deformation_m < 0) return {};
+    return clamped(k_ * deformation_m, c_ * rate_m_s);
+  }
+
+ private:
+  double k_, c_;
+};
+
 class LinearElastic : public ForceLaw {
  public:
   explicit LinearElastic(double k) : k_(k) {}
@@ -39,6 +51,10 @@ class LinearElastic : public ForceLaw {
 
 std::unique_ptr<ForceLaw> makeHuntCrossley(double k, double lambda, double n) {
   return std::make_unique<HuntCrossley>(k, lambda, n);
+}
+
+std::unique_ptr<ForceLaw> makeKelvinVoigt(double k, double c) {
+  return std::make_unique<KelvinVoigt>(k, c);
 }
 
 std::unique_ptr<ForceLaw> makeLinearElastic(double k) {

@@ -12,7 +12,8 @@ struct LawForce {
   bool adhesion_clamped = false;  ///< the formula would have pulled: elastic + viscous were set to 0 together
 };
 
-/// F(x, x'): how hard tissue pushes back (METHOD: force). Never pulls.
+/// F(x, x'): how hard tissue pushes back (METHOD: force). Never pulls. A law that is used per area gives N/m2
+/// from coefficients per square metre.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
@@ -23,6 +24,9 @@ class ForceLaw {
 /// F = k x^n + lambda x^n x' (Hunt and Crossley 1975; paper, section on the interaction force model).
 /// k in N/m^n, lambda in N s/m^(n+1).
 std::unique_ptr<ForceLaw> makeHuntCrossley(double k, double lambda, double n);
+
+/// F = k x + c x', k in N/m, c in N s/m (METHOD: force).
+std::unique_ptr<ForceLaw> makeKelvinVoigt(double k, double c);
 
 /// F = k x, k in N/m: the default model that the paper replaced.
 std::unique_ptr<ForceLaw> makeLinearElastic(double k);

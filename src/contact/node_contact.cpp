@@ -28,6 +28,7 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
   }
   node_constraints_ = constraints_.size();
   if (vertex_sides_) vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, constraints_);
+  if (patch.tools.size() > 1) noteDisplacements(positions_m);
   displacement_.apply(constraints_, inverse_masses, positions_m);
   report(state, patch);
   state.reaction_on_tool_N = -displacement_.movedMass(inverse_masses, positions_m) / (dt_s * dt_s);
@@ -53,6 +54,16 @@ void NodeContact::limitDisplacement(NodeCandidate& candidate) const {
   candidate.state = NodeState::capped;
 }
 
+void NodeContact::noteDisplacements(std::span<const Vec3> positions_m) {
+  displacements_m_.clear();
+  for (const ContactConstraint& contact : constraints_) {
+    Vec3 point_m = Vec3::Zero();
+    for (int j = 0; j < 3; ++j) point_m += contact.weights[j] * positions_m[contact.vertices[j]];
+    const double gap_m = (point_m - contact.position_m).dot(contact.normal);
+    displacements_m_.push_back(std::max(contact.target_m - gap_m, 0.0));
+  }
+}
+
 void NodeContact::report(State& state, ContactPatch& patch) const {
   state.node_states.assign(node_count_, NodeState::free);
   state.candidate_count = static_cast<int>(candidates_.size());
@@ -60,21 +71,24 @@ void NodeContact::report(State& state, ContactPatch& patch) const {
   state.infeasible_count = static_cast<int>(candidates_.size() - node_constraints_);
   state.capped_count = 0;
   patch.clear();
+  std::size_t acting = 0;
+  const auto displacement_m = [&](std::size_t contact) {
+    return displacements_m_.empty() ? 0.0 : displacements_m_[contact];
+  };
   for (const NodeCandidate& candidate : candidates_) {
     // With several bodies a node shows its acting contact rather than an excluded one.
     NodeState& shown = state.node_states[candidate.node];
     if (shown == NodeState::free || shown == NodeState::infeasible) shown = candidate.state;
     if (candidate.state == NodeState::infeasible) continue;
     if (candidate.state == NodeState::capped) ++state.capped_count;
-    if (patch.hasNormals())
-      patch.face_normals[rays_.firstFace(candidate.body) + candidate.face] += candidate.constraint.normal;
+    patch.touchFace(candidate.constraint.tool, rays_.firstFace(candidate.body) + candidate.face,
+                    candidate.constraint.normal, displacement_m(acting++));
   }
-  for (const ContactConstraint& contact : constraints_) {
-    for (int j = 0; j < 3; ++j) {
-      patch.vertex_contact[contact.vertices[j]] = 1;
-      if (patch.hasNormals())
-        patch.vertex_normals[contact.vertices[j]] += contact.weights[j] * contact.normal;
-    }
+  for (std::size_t c = 0; c < constraints_.size(); ++c) {
+    const ContactConstraint& contact = constraints_[c];
+    for (int j = 0; j < 3; ++j)
+      patch.touchVertex(contact.tool, contact.vertices[j], contact.weights[j], contact.normal,
+                        displacement_m(c));
   }
 }
 

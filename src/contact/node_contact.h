@@ -44,6 +44,7 @@ class NodeContact {
   void detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
               const std::vector<ToolState>& tools_now);
   void limitDisplacement(NodeCandidate& candidate) const;
+  void noteDisplacements(std::span<const Vec3> positions_m);
   void report(State& state, ContactPatch& patch) const;
 
   NodeContactSettings settings_;
@@ -56,7 +57,9 @@ class NodeContact {
   std::vector<NodeCandidate> candidates_;
   std::vector<ContactConstraint> constraints_;  ///< those of the acting candidates, then those of vertices
   std::size_t node_constraints_ = 0;            ///< how many of them are candidates'
-  std::vector<Vec3> before_m_;                  ///< tissue at the start of the step: as the last step left it
+  /// Of each constraint before it acts: how far it is short of its target. Empty where one tool takes all.
+  std::vector<double> displacements_m_;
+  std::vector<Vec3> before_m_;  ///< tissue at the start of the step: as the last step left it
 };
 
 }  // namespace fissure

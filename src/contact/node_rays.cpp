@@ -62,7 +62,8 @@ void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span
                             .weights = hit->at.weights,
                             .position_m = position_m,
                             .normal = normal,
-                            .target_m = body.margin_m};
+                            .target_m = body.margin_m,
+                            .tool = node.tool};
     Vec3 tissue_travel_m = Vec3::Zero();
     for (int j = 0; j < 3; ++j) {
       int& vertex = candidate.constraint.vertices[j];

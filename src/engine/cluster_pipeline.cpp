@@ -12,7 +12,8 @@ namespace {
 class ClusterPipeline : public Pipeline {
  public:
   explicit ClusterPipeline(const PipelineContext& context) : world_(context.world), tools_(context) {
-    patch_.resize(context.scene.vertexCount(), context.scene.faceCount(), !context.scenario.force.empty());
+    patch_.resize(context.scene.vertexCount(), context.scene.faceCount(),
+                  context.scenario.force.empty() ? 0 : context.scene.tools.size());
     patch_.clear();
     world_.world().setAfterDetection([this] { readJoints(); });
   }
@@ -40,14 +41,14 @@ class ClusterPipeline : public Pipeline {
       for (int i = 0; i < soft->m_joints.size(); ++i) {
         if (soft->m_joints[i]->Type() != btSoftBody::Joint::eType::Contact) continue;
         const auto& joint = *static_cast<const btSoftBody::CJoint*>(soft->m_joints[i]);
-        if (!tools_.contains(joint.m_bodies[1].m_collisionObject)) continue;
+        const int tool = tools_.indexOf(joint.m_bodies[1].m_collisionObject);
+        if (tool < 0) continue;
         ++contacts_;
         const Vec3 normal = fromBullet(joint.m_normal);
         for (int j = 0; j < joint.m_bodies[0].m_soft->m_nodes.size(); ++j) {
           const btSoftBody::Node* node = joint.m_bodies[0].m_soft->m_nodes[j];
           const int vertex = first_vertex + static_cast<int>(node - &soft->m_nodes[0]);
-          patch_.vertex_contact[vertex] = 1;
-          if (patch_.hasNormals()) patch_.vertex_normals[vertex] += normal;
+          patch_.touchVertex(tool, vertex, 1, normal, 1);
         }
       }
       first_vertex += soft->m_nodes.size();

@@ -29,11 +29,11 @@ void KinematicTools::move(const std::vector<ToolState>& now) {
   for (std::size_t t = 0; t < bodies_.size(); ++t) bodies_[t]->setWorldTransform(toBullet(now[t].pose));
 }
 
-bool KinematicTools::contains(const btCollisionObject* object) const {
-  for (const auto& body : bodies_) {
-    if (body.get() == object) return true;
+int KinematicTools::indexOf(const btCollisionObject* object) const {
+  for (std::size_t t = 0; t < bodies_.size(); ++t) {
+    if (bodies_[t].get() == object) return static_cast<int>(t);
   }
-  return false;
+  return -1;
 }
 
 }  // namespace fissure

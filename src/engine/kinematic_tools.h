@@ -20,7 +20,8 @@ class KinematicTools {
 
   /// Before Bullet's step: to the poses at its end.
   void move(const std::vector<ToolState>& now);
-  bool contains(const btCollisionObject* object) const;
+  /// Which tool `object` is, or -1.
+  int indexOf(const btCollisionObject* object) const;
 
  private:
   BulletWorld& world_;

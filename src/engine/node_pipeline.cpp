@@ -27,7 +27,8 @@ class NodePipeline : public Pipeline {
         contact_(context.scene, contactSettings(context)),
         inverse_masses_(context.world.inverseMasses()),
         positions_m_(context.scene.vertexCount()) {
-    patch_.resize(context.scene.vertexCount(), context.scene.faceCount(), !context.scenario.force.empty());
+    patch_.resize(context.scene.vertexCount(), context.scene.faceCount(),
+                  context.scenario.force.empty() ? 0 : context.scene.tools.size());
     world_.solver().setAfterSolve([this] { afterSolve(); });
   }
 

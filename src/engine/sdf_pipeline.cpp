@@ -24,11 +24,12 @@ class SdfPipeline : public Pipeline {
     for (const auto& soft : world_.bodies()) {
       for (int i = 0; i < soft->m_rcontacts.size(); ++i) {
         const btSoftBody::RContact& contact = soft->m_rcontacts[i];
-        if (!tools_.contains(contact.m_cti.m_colObj)) continue;
+        const int tool = tools_.indexOf(contact.m_cti.m_colObj);
+        if (tool < 0) continue;
         const int vertex = first_vertex + static_cast<int>(contact.m_node - &soft->m_nodes[0]);
         ++state.contact_count;
-        patch.vertex_contact[vertex] = 1;
-        if (patch.hasNormals()) patch.vertex_normals[vertex] += fromBullet(contact.m_cti.m_normal);
+        // How far a contact displaces the tissue is inside Bullet's solve: tools share by their contacts.
+        patch.touchVertex(tool, vertex, 1, fromBullet(contact.m_cti.m_normal), 1);
       }
       first_vertex += soft->m_nodes.size();
     }

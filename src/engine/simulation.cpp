@@ -41,12 +41,21 @@ std::string engineVersion() {
 
 namespace {
 
+std::unique_ptr<ForceLaw> makeForceLaw(const ForceSettings& law) {
+  if (law.model == "hunt_crossley") return makeHuntCrossley(law.k, law.lambda, law.n);
+  if (law.model == "kelvin_voigt") return makeKelvinVoigt(law.k, law.c);
+  if (law.model == "linear_elastic") return makeLinearElastic(law.k);
+  throw std::invalid_argument("no force law '" + law.model + "' in this engine");
+}
+
 std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
   std::vector<TriangleLaw> laws;
   for (const ForceSettings& law : settings) {
-    laws.push_back({.law = law.model == "hunt_crossley" ? makeHuntCrossley(law.k, law.lambda, law.n)
-                                                        : makeLinearElastic(law.k),
-                    .rate = law.rate == "velocities" ? RateSource::velocities : RateSource::differences});
+    laws.push_back(
+        {.law = makeForceLaw(law),
+         .rate = law.rate == "velocities" ? RateSource::velocities : RateSource::differences,
+         .deformation = law.deformation == "corotated" ? DeformationKind::corotated : DeformationKind::paper,
+         .per_area = law.per_area});
   }
   return laws;
 }
@@ -63,7 +72,7 @@ class BulletSimulation : public Simulation {
     if (!scenario.force.empty())
       forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_);
     for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
-    patch_.resize(scene.vertexCount(), scene.faceCount(), !scenario.force.empty());
+    patch_.resize(scene.vertexCount(), scene.faceCount(), scenario.force.empty() ? 0 : scene.tools.size());
     patch_.clear();
     state_.positions_m.resize(scene.vertexCount());
     state_.velocities_m_s.resize(scene.vertexCount());
@@ -72,6 +81,7 @@ class BulletSimulation : public Simulation {
     }
     state_.node_states.assign(scene.nodeCount(), NodeState::free);
     state_.forces.assign(scenario.force.size(), ForceSample{});
+    state_.tool_forces_N.assign(scenario.force.size() * scene.tools.size(), Vec3::Zero());
     collect();
   }
 

@@ -53,7 +53,7 @@ void work(const std::string& file, const std::string& directory, const std::stri
     throw InputError("the entry '" + name + "' wants precision " + pipeline.precision + ", this worker is " +
                      enginePrecision());
   Run run(scenario, pipeline);
-  auto probes = makeProbes(scenario, pipeline, run.scene());
+  auto probes = makeProbes(scenario, run.scene());
   const RecordLayout layout = Run::declareLayout(probes);
   const auto sink = createPartFile(part, {.scenario = scenario,
                                           .pipeline = pipeline,

@@ -31,7 +31,7 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
   const Scene scene = buildScene(scenario, pipeline.usesNodes());
   RecordLayout layout;
   layout.add({"time", "s", "simulated time", ValueType::real, {}});
-  for (const auto& probe : makeProbes(scenario, pipeline, scene)) probe->declare(layout);
+  for (const auto& probe : makeProbes(scenario, scene)) probe->declare(layout);
 
   RunPlan plan;
   plan.pipeline = &pipeline;

@@ -15,7 +15,7 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 12> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 13> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
@@ -25,6 +25,7 @@ int listCatalog() {
                                         {"settings", tables.settings},
                                         {"precisions", tables.precisions},
                                         {"rates", tables.rates},
+                                        {"deformations", tables.deformations},
                                         {"aero models", tables.aero_models},
                                         {"soft contacts", tables.soft_contacts}}};
   for (const auto& [title, entries] : named) {

@@ -34,10 +34,12 @@ void printScene(const CheckedScenario& checked) {
     std::cout << "  body " << body.name << ": " << surface.faces.size() << " triangles, "
               << surface.vertices_m.size() << " vertices\n";
   }
-  for (const ToolSettings& tool : scenario.tools)
+  for (const ToolSettings& tool : scenario.tools) {
     std::cout << "  tool " << tool.name << ": "
-              << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion")
-              << "\n";
+              << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
+    if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
+    std::cout << "\n";
+  }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
 }
 
@@ -50,7 +52,8 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
   for (const ForceSettings& law : scenario.force)
-    std::cout << "  force: " << law.name << " (" << law.model << ")\n";
+    std::cout << "  force: " << law.name << " (" << law.model << ", deformation " << law.deformation
+              << (law.per_area ? ", per area" : "") << ")\n";
   std::cout << "  record:";
   for (const std::string& name : plan.series) std::cout << " " << name;
   std::cout << "; " << sizeText(plan.record_bytes) << "\n";

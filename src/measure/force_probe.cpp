@@ -1,9 +1,52 @@
 #include "measure/force_probe.h"
 
+#include <algorithm>
+#include <array>
+
 namespace fissure {
 
-ForceProbe::ForceProbe(const std::vector<ForceSettings>& laws) {
-  for (const ForceSettings& law : laws) laws_.push_back({law.name, {}, {}});
+namespace {
+
+/// A series with one value a law, and where the value comes from.
+struct Term {
+  const char* name;
+  const char* units;
+  const char* long_name;
+  double (*of)(const ForceSample&);
+  ValueType type = ValueType::real;
+};
+
+constexpr std::array<Term, 8> terms = {{
+    {"force_elastic", "N", "sum of the elastic terms of all triangles",
+     [](const ForceSample& f) { return f.elastic_N; }},
+    {"force_viscous", "N", "sum of the viscous terms of all triangles, signed",
+     [](const ForceSample& f) { return f.viscous_N; }},
+    {"adhesion_clamped", "1", "triangles that would have pulled and were set to 0",
+     [](const ForceSample& f) { return static_cast<double>(f.adhesion_clamped); }, ValueType::count},
+    {"deformation_max", "m", "largest deformation of a colliding triangle, 0 without one",
+     [](const ForceSample& f) { return f.deformation_max_m; }},
+    {"deformation_mean", "m", "mean deformation of the colliding triangles, 0 without one",
+     [](const ForceSample& f) { return f.deformation_mean_m; }},
+    {"deformation_rate_max", "m s-1", "fastest growth of a colliding triangle's deformation, 0 without one",
+     [](const ForceSample& f) { return f.rate_max_m_s; }},
+    {"deformation_rate_min", "m s-1", "the least of these rates, negative: deformation recedes",
+     [](const ForceSample& f) { return f.rate_min_m_s; }},
+    {"deformation_rate_mean", "m s-1", "mean rate of the colliding triangles' deformation, 0 without one",
+     [](const ForceSample& f) { return f.rate_mean_m_s; }},
+}};
+
+}  // namespace
+
+ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene) {
+  for (const ForceSettings& law : scenario.force) laws_.push_back({law.name, {}, {}});
+  for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
+  limits_N_.resize(tools_.size());
+  for (const ToolSettings& tool : scenario.tools) {
+    const auto at = std::find(tools_.begin(), tools_.end(), tool.name);
+    if (at != tools_.end()) limits_N_[static_cast<std::size_t>(at - tools_.begin())] = tool.force_limit_N;
+  }
+  if (std::none_of(limits_N_.begin(), limits_N_.end(), [](const auto& limit) { return limit.has_value(); }))
+    limits_N_.clear();
 }
 
 void ForceProbe::declare(RecordLayout& layout) {
@@ -15,41 +58,74 @@ void ForceProbe::declare(RecordLayout& layout) {
                               .units = "N",
                               .long_name = "force on the tools, scene frame",
                               .axes = {"law", "xyz"}});
-  elastic_column_ = layout.add({.name = "force_elastic",
-                                .units = "N",
-                                .long_name = "sum of the elastic terms of all triangles",
-                                .axes = {"law"}});
-  viscous_column_ = layout.add({.name = "force_viscous",
-                                .units = "N",
-                                .long_name = "sum of the viscous terms of all triangles, signed",
-                                .axes = {"law"}});
-  clamped_column_ = layout.add({.name = "adhesion_clamped",
-                                .units = "1",
-                                .long_name = "triangles that would have pulled and were set to 0",
-                                .type = ValueType::count,
-                                .axes = {"law"}});
+  terms_column_ = layout.columns();
+  for (const Term& term : terms)
+    layout.add({.name = term.name,
+                .units = term.units,
+                .long_name = term.long_name,
+                .type = term.type,
+                .axes = {"law"}});
+  triangles_column_ = layout.add({.name = "colliding_triangles",
+                                  .units = "1",
+                                  .long_name = "tissue triangles with a vertex in a colliding state",
+                                  .type = ValueType::count,
+                                  .axes = {}});
+  if (!tools_.empty()) declareTools(layout);
+}
+
+void ForceProbe::declareTools(RecordLayout& layout) {
+  layout.addAxis({"tool", tools_});
+  tool_force_column_ = layout.add({.name = "tool_force",
+                                   .units = "N",
+                                   .long_name = "force on each tool, scene frame",
+                                   .axes = {"law", "tool", "xyz"}});
+  if (limits_N_.empty()) return;
+  saturated_column_ = layout.add({.name = "saturated",
+                                  .units = "1",
+                                  .long_name = "the force on the tool is beyond its device's limit",
+                                  .type = ValueType::flag,
+                                  .axes = {"law", "tool"}});
 }
 
 void ForceProbe::sample(const State& state, RecordRow& row) {
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const ForceSample& force = state.forces[i];
     writeVector(force.force_on_tool_N, force_column_ + 3 * i, row);
-    row[elastic_column_ + i] = force.elastic_N;
-    row[viscous_column_ + i] = force.viscous_N;
-    row[clamped_column_ + i] = force.adhesion_clamped;
+    for (std::size_t t = 0; t < terms.size(); ++t)
+      row[terms_column_ + t * laws_.size() + i] = terms[t].of(force);
     const double magnitude_N = force.force_on_tool_N.norm();
     laws_[i].max_N.add(magnitude_N);
     laws_[i].roughness.add(magnitude_N);
+    if (!tools_.empty()) sampleTools(state, i, row);
   }
+  row[triangles_column_] = state.colliding_triangles;
+  sampled_ = true;
+}
+
+void ForceProbe::sampleTools(const State& state, std::size_t law, RecordRow& row) {
+  bool any = false;
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const std::size_t at = law * tools_.size() + t;
+    const Vec3& force_N = state.tool_forces_N[at];
+    writeVector(force_N, tool_force_column_ + 3 * at, row);
+    if (limits_N_.empty()) continue;
+    // Negated, so that a force that is not a number counts as beyond the limit.
+    const bool saturated = limits_N_[t] && !(force_N.norm() <= *limits_N_[t]);
+    row[saturated_column_ + at] = saturated ? 1 : 0;
+    any |= saturated;
+  }
+  if (any) ++laws_[law].saturated_steps;
 }
 
 void ForceProbe::summarize(Summary& summary) const {
-  summary.push_back({"max_force_N", laws_.front().max_N.value()});
-  summary.push_back({"force_roughness", laws_.front().roughness.value()});
-  for (const Law& law : laws_) {
-    summary.push_back({"max_force_" + law.name + "_N", law.max_N.value()});
-    summary.push_back({"force_roughness_" + law.name, law.roughness.value()});
-  }
+  const auto add = [&](const Law& law, const std::string& name) {
+    summary.push_back({"max_force" + name + "_N", law.max_N.value()});
+    summary.push_back({"force_roughness" + name, law.roughness.value()});
+    if (!limits_N_.empty())
+      summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
+  };
+  add(laws_.front(), "");
+  for (const Law& law : laws_) add(law, "_" + law.name);
 }
 
 }  // namespace fissure

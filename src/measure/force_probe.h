@@ -1,18 +1,24 @@
 #pragma once
 
+#include <optional>
+
 #include "base/probe.h"
+#include "base/scene.h"
 #include "measure/statistics.h"
-#include "scenario/pipelines.h"
+#include "scenario/scenario.h"
 
 namespace fissure {
 
-/// Series force(law, xyz) on the tools, its terms force_elastic(law), force_viscous(law), and
-/// adhesion_clamped(law); the largest magnitude and the roughness of every law as scalars, those of the first
-/// law under their short names too.
+/// Series force(law, xyz) on the tools, its terms force_elastic(law), force_viscous(law),
+/// adhesion_clamped(law) and, of the triangles in a colliding state (colliding_triangles), largest and mean
+/// deformation(law) and its rate(law); tool_force(law, tool, xyz); where a tool has a force limit
+/// saturated(law, tool), the force itself stays as it is. Scalars: the largest magnitude, the roughness and,
+/// with a limit, the steps in which a tool was saturated, of every law; those of the first law under their
+/// short names too.
 class ForceProbe : public Probe {
  public:
-  /// `laws` in the order of State::forces; at least one.
-  explicit ForceProbe(const std::vector<ForceSettings>& laws);
+  /// Laws and limits from `scenario`, which has at least one law; State::forces is in their order.
+  ForceProbe(const Scenario& scenario, const Scene& scene);
 
   void declare(RecordLayout& layout) override;
   void sample(const State& state, RecordRow& row) override;
@@ -23,12 +29,20 @@ class ForceProbe : public Probe {
     std::string name;
     RunningMax max_N;
     Roughness roughness;
+    long long saturated_steps = 0;
   };
+  void declareTools(RecordLayout& layout);
+  void sampleTools(const State& state, std::size_t law, RecordRow& row);
+
   std::vector<Law> laws_;
+  std::vector<std::string> tools_;
+  std::vector<std::optional<double>> limits_N_;  ///< one a tool; empty: no tool has one
+  bool sampled_ = false;
   std::size_t force_column_ = 0;
-  std::size_t elastic_column_ = 0;
-  std::size_t viscous_column_ = 0;
-  std::size_t clamped_column_ = 0;
+  std::size_t terms_column_ = 0;  ///< of the series with one value a law, in the order of declare()
+  std::size_t triangles_column_ = 0;
+  std::size_t tool_force_column_ = 0;
+  std::size_t saturated_column_ = 0;
 };
 
 }  // namespace fissure

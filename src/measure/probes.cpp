@@ -10,17 +10,14 @@
 
 namespace fissure {
 
-// The pipeline's settings play no part: whether it has tool nodes is in the scene, and nothing else may
-// differ.
-std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const PipelineSettings&,
-                                               const Scene& scene) {
+std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const Scene& scene) {
   std::vector<std::unique_ptr<Probe>> probes;
   if (!scene.tools.empty()) {
     probes.push_back(std::make_unique<PenetrationProbe>(scene, scenario.measure));
     probes.push_back(std::make_unique<ToolProbe>(scene));
     probes.push_back(std::make_unique<ContactProbe>(scene));
   }
-  if (!scenario.force.empty()) probes.push_back(std::make_unique<ForceProbe>(scenario.force));
+  if (!scenario.force.empty()) probes.push_back(std::make_unique<ForceProbe>(scenario, scene));
   probes.push_back(std::make_unique<BodyProbe>(scene));
   probes.push_back(std::make_unique<TimingProbe>(scenario.time.step_s));
   probes.push_back(std::make_unique<FinalStateProbe>());

@@ -10,8 +10,7 @@
 namespace fissure {
 
 /// The probes that this run needs, in the order of their series in the record. The same code for every
-/// pipeline.
-std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const PipelineSettings& pipeline,
-                                               const Scene& scene);
+/// pipeline: whether it has tool nodes is in the scene, and nothing else may differ.
+std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const Scene& scene);
 
 }  // namespace fissure

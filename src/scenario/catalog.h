@@ -25,6 +25,7 @@ struct Catalog {
   std::vector<CatalogEntry> settings;
   std::vector<CatalogEntry> precisions;
   std::vector<CatalogEntry> rates;
+  std::vector<CatalogEntry> deformations;
   std::vector<CatalogEntry> aero_models;  ///< in the order of Bullet's eAeroModel
   std::vector<CatalogEntry> soft_contacts;
   std::vector<CatalogEntry> length_units;

@@ -64,6 +64,7 @@ void describe(Io& io, ToolSettings& t) {
   io.tagged("shape", shape, catalog().tool_shapes);
   io.field("nodes", t.nodes);
   io.field("friction", t.friction);
+  io.field("force_limit_N", t.force_limit_N);
   io.tagged("motion", t.motion, catalog().motions);
   t.shape = std::get<BoxShape>(shape);
 }
@@ -88,13 +89,21 @@ void describe(Io& io, PipelineSettings& p) {
 
 template <class Io>
 void describe(Io& io, ForceSettings& f) {
-  const char* viscous_only = "model hunt_crossley";
   io.nameOr("name", f.name, "model");
   io.requiredChoice("model", f.model, catalog().force_laws);
-  io.field("k", f.k);
-  io.fieldIf(f.model == "hunt_crossley", viscous_only, "lambda", f.lambda);
-  io.fieldIf(f.model == "hunt_crossley", viscous_only, "n", f.n);
-  io.choiceIf(f.model == "hunt_crossley", viscous_only, "rate", f.rate, catalog().rates);
+  io.choice("deformation", f.deformation, catalog().deformations);
+  io.field("per_area", f.per_area);
+  const auto coefficient = [&](bool applies, const char* when, const char* key, double& value) {
+    if (applies && f.per_area) return io.required(key, value);  // a default in other units would mean nothing
+    io.fieldIf(applies, when, key, value);
+  };
+  const bool hunt_crossley = f.model == "hunt_crossley", kelvin_voigt = f.model == "kelvin_voigt";
+  coefficient(true, "", "k", f.k);
+  coefficient(hunt_crossley, "model hunt_crossley", "lambda", f.lambda);
+  io.fieldIf(hunt_crossley, "model hunt_crossley", "n", f.n);
+  coefficient(kelvin_voigt, "model kelvin_voigt", "c", f.c);
+  io.choiceIf(hunt_crossley || kelvin_voigt, "models hunt_crossley and kelvin_voigt", "rate", f.rate,
+              catalog().rates);
 }
 
 template <class Io>

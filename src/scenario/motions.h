@@ -92,6 +92,9 @@ struct ToolSettings {
   BoxShape shape;
   NodeSettings nodes;     ///< for the pipelines that use nodes
   double friction = 0.0;  ///< of the tool in Bullet's own contacts, >= 0
+  /// The largest force of the haptic device that the tool stands for, > 0 (Falcon: 8 N by CHAI3D's
+  /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
+  std::optional<double> force_limit_N;
   std::variant<ScriptMotion, ReplayMotion> motion;
 
   bool operator==(const ToolSettings&) const = default;

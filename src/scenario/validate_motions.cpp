@@ -116,6 +116,7 @@ void checkTool(Checker check, const ToolSettings& tool) {
   Checker nodes = check.in("nodes");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
   check.notNegative("friction", tool.friction);
+  if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
   std::visit([&](const auto& motion) { checkMotion(check.in("motion"), motion); }, tool.motion);
 }
 

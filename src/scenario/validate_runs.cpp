@@ -35,6 +35,8 @@ void checkForce(Checker check, const ForceSettings& force) {
   check.notNegative("lambda", force.lambda);
   check.positive("n", force.n);
   check.oneOf("rate", force.rate, catalog().rates);
+  check.notNegative("c", force.c);
+  check.oneOf("deformation", force.deformation, catalog().deformations);
 }
 
 void checkRecord(Checker check, const RecordSettings& record) {

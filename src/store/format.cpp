@@ -20,18 +20,30 @@ void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunSt
 
 void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws) {
   for (const ForceSettings& law : laws) {
-    h5::setAttribute(force, law.name + "_model", law.model);
-    h5::setAttribute(force, law.name + "_k", law.k);
-    if (law.model != "hunt_crossley") {
-      h5::setAttribute(force, law.name + "_k_units", std::string("newton per metre"));
-      continue;
+    const auto set = [&](const char* name, const auto& value) {
+      h5::setAttribute(force, law.name + "_" + name, value);
+    };
+    const auto setUnits = [&](const char* name, const char* plain, const char* per_area) {
+      set(name, std::string(law.per_area ? per_area : plain));
+    };
+    set("model", law.model);
+    set("deformation", law.deformation);
+    set("per_area", std::string(law.per_area ? "true" : "false"));
+    set("k", law.k);
+    if (law.model == "hunt_crossley") {
+      setUnits("k_units", "newton per metre to the power n", "newton per metre to the power n + 2");
+      set("lambda", law.lambda);
+      setUnits("lambda_units", "newton second per metre to the power n + 1",
+               "newton second per metre to the power n + 3");
+      set("n", law.n);
+    } else {
+      setUnits("k_units", "newton per metre", "newton per cubic metre");
     }
-    h5::setAttribute(force, law.name + "_k_units", std::string("newton per metre to the power n"));
-    h5::setAttribute(force, law.name + "_lambda", law.lambda);
-    h5::setAttribute(force, law.name + "_lambda_units",
-                     std::string("newton second per metre to the power n + 1"));
-    h5::setAttribute(force, law.name + "_n", law.n);
-    h5::setAttribute(force, law.name + "_rate", law.rate);
+    if (law.model == "kelvin_voigt") {
+      set("c", law.c);
+      setUnits("c_units", "newton second per metre", "newton second per cubic metre");
+    }
+    if (law.model != "linear_elastic") set("rate", law.rate);
   }
 }
 

@@ -18,8 +18,8 @@ inline constexpr std::int32_t format_version = 1;
 /// order.
 void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunStatus& status);
 
-/// Attributes of the `force` dataset: model and coefficients of each law. Their units have no legal UDUNITS
-/// form and stand beside them in words.
+/// Attributes of the `force` dataset: model, kind of deformation and coefficients of each law. Their units
+/// have no legal UDUNITS form and stand beside them in words.
 void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws);
 
 /// How many rows of a growing axis count as written: those up to the last that has a time. `time` is a

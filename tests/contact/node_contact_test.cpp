@@ -39,7 +39,7 @@ class NodeContactTest : public testing::Test {
       positions.insert(positions.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
     }
     inverse_masses.assign(positions.size(), 10.0);
-    patch.resize(scene.vertexCount(), scene.faceCount(), true);
+    patch.resize(scene.vertexCount(), scene.faceCount(), 1);
   }
 
   /// The blade's middle moves to height y (from where it was) in a step of 1 ms.
@@ -184,7 +184,7 @@ TEST_F(NodeContactTest, ContactsNameTheirTrianglesVerticesAndNormals) {
   moveTo(0.035);
   moveTo(0.030);
   int faces = 0;
-  for (const Vec3& normal : patch.face_normals) {
+  for (const Vec3& normal : patch.tools[0].face_normals) {
     if (normal.isZero(0)) continue;
     ++faces;
     EXPECT_EQ(normal.normalized(), Vec3(0, -1, 0)) << "from the tool into the tissue";
@@ -210,7 +210,7 @@ TEST(NodeContactVetoes, OnlyAnActingNodeExcludesOthers) {
   const std::vector<double> inverse_masses(positions.size(), 10.0);
   State state;
   ContactPatch patch;
-  patch.resize(scene.vertexCount(), scene.faceCount(), true);
+  patch.resize(scene.vertexCount(), scene.faceCount(), 1);
   const std::vector<ToolState> above = {{.pose = {.position_m = Vec3(0, 0.04, 0)}}};
   const std::vector<ToolState> inside = {{.pose = {.position_m = Vec3(0, 0.02, 0)}}};
   contact.step(positions, inverse_masses, above, inside, 0.001, state, patch);

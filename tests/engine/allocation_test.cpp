@@ -78,6 +78,27 @@ TEST_F(Allocated, WithoutLawsNoCentroidsAndNoContactNormals) {
   }
 }
 
+TEST_F(Allocated, OnlyWhatTheLawsAskForOfDeformationAndAreas) {
+  const auto bytesWith = [&](const std::vector<ForceSettings>& laws) {
+    scenario.force = laws;
+    return bytes("fukuhara");
+  };
+  const ForceSettings paper{.name = "hc", .model = "hunt_crossley"};
+  ForceSettings corotated = paper, per_area = paper, velocities = paper;
+  corotated.deformation = "corotated";
+  per_area.per_area = true;
+  velocities.rate = "velocities";
+  const long long plain = bytesWith({paper});
+  const long long arms = 1026 * static_cast<long long>(sizeof(Vec3));
+  const long long areas = 2048 * static_cast<long long>(sizeof(double));
+  const long long centroids = 2048 * static_cast<long long>(sizeof(Vec3));
+  EXPECT_GE(bytesWith({corotated}), plain + arms);
+  EXPECT_GE(bytesWith({per_area}), plain + areas);
+  EXPECT_LE(bytesWith({velocities}), plain - centroids) << "no centroids of the last step";
+  const long long second_law = bytesWith({paper, paper}) - plain;
+  EXPECT_LT(second_law, areas) << "a second law of one kind shares what the first needs";
+}
+
 TEST_F(Allocated, BulletsOwnContactBuildsNoNodesAndNoTreeOfFaces) {
   const long long nodes = 2 * 32 * 32 * static_cast<long long>(sizeof(Vec3));
   const long long tree = 2048 * static_cast<long long>(sizeof(Face));

@@ -86,6 +86,55 @@ TEST(Simulation, BuildsExactlyThePipelinesOfTheCatalog) {
   EXPECT_THROW(makeSimulation(scenario, unknown, sceneOf(scenario, false), {at(0)}), std::invalid_argument);
 }
 
+TEST(Simulation, EvaluatesEveryLawOfTheCatalog) {
+  Scenario scenario = press();
+  const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+  for (const CatalogEntry& law : catalog().force_laws) {
+    for (const CatalogEntry& kind : catalog().deformations) {
+      ForceSettings settings{.name = "law", .model = std::string(law.name)};
+      settings.deformation = kind.name;
+      scenario.force = {settings};
+      auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+      for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+      EXPECT_GT(simulation->state().forces[0].elastic_N, 0.1) << law.name << ", " << kind.name;
+    }
+  }
+  scenario.force = {{.name = "law", .model = "no such"}};
+  EXPECT_THROW(makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)}), std::invalid_argument);
+}
+
+// Two blades side by side, the second one 2 mm lower.
+TEST(Simulation, TwoToolsFeelTheirPartsOfTheForce) {
+  for (const std::string pipeline : {"default", "fukuhara"}) {
+    Scenario scenario = press();
+    std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
+    scenario.tools[0].shape.size_m = Vec3(0.015, 0.002, 0.03);
+    scenario.tools.push_back(scenario.tools[0]);
+    scenario.tools[1].name = "second";
+    scenario.force.push_back({.name = "linear", .model = "linear_elastic"});
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline, .settings = "tuned"};
+    Scene scene = sceneOf(scenario, entry.usesNodes());
+    scene.tools[1].first_node = scene.tools[0].nodes.size();
+    const auto poses = [](int step) {
+      const double y = 0.0615 - 0.0002 * step;
+      return std::vector<Pose>{{.position_m = Vec3(-0.01, y, 0)}, {.position_m = Vec3(0.01, y - 0.002, 0)}};
+    };
+    auto simulation = makeSimulation(scenario, entry, scene, poses(0));
+    for (int i = 1; i <= 60; ++i) simulation->step(poses(i));
+    const State& state = simulation->state();
+    ASSERT_EQ(state.tool_forces_N.size(), 4u);
+    for (std::size_t law = 0; law < 2; ++law) {
+      const Vec3& first_N = state.tool_forces_N[2 * law];
+      const Vec3& second_N = state.tool_forces_N[2 * law + 1];
+      EXPECT_GT(first_N.y(), 0.01) << pipeline;
+      EXPECT_GT(second_N.y(), 0.01) << pipeline;
+      // Bullet's own contacts do not say how far they displace and share alike.
+      EXPECT_TRUE(second_N.y() > first_N.y() || pipeline == "default");
+      EXPECT_LT((first_N + second_N - state.forces[law].force_on_tool_N).norm(), 1e-12) << pipeline;
+    }
+  }
+}
+
 TEST(Simulation, RunsBulletInDoublePrecision) {
   EXPECT_EQ(engineVersion(), "Bullet 3.24, double precision");
 }

@@ -31,9 +31,16 @@ class ProbesTest : public ::testing::Test {
     for (const std::string& name : names)
       scenario_.force.push_back({.name = name, .model = "linear_elastic"});
     state_.forces.resize(names.size());
+    state_.tool_forces_N.resize(names.size() * scene_.tools.size(), Vec3::Zero());
+  }
+  void limitForce(double limit_N) {
+    ToolSettings tool;
+    tool.name = scene_.tools[0].name;
+    tool.force_limit_N = limit_N;
+    scenario_.tools.push_back(tool);
   }
   void start() {
-    probes_ = makeProbes(scenario_, {}, scene_);
+    probes_ = makeProbes(scenario_, scene_);
     for (const auto& probe : probes_) probe->declare(layout_);
     row_.assign(layout_.columns(), 12345.0);
   }
@@ -85,14 +92,37 @@ TEST_F(ProbesTest, DeclareNodeAndForceSeriesWhereTheyExist) {
   addNodes(4);
   addLaws({"hc", "linear"});
   start();
-  EXPECT_EQ(
-      seriesNames(),
-      (Names{"penetration_depth", "passed_through",  "inverted_triangles",  "stand_off",
-             "tool_position",     "tool_quaternion", "contact_count",       "infeasible_count",
-             "candidate_count",   "capped_count",    "reaction_force",      "force",
-             "force_elastic",     "force_viscous",   "adhesion_clamped",    "kinetic_energy",
-             "momentum",          "volume",          "timing/step_time_us", "timing/collision_time_us"}));
+  EXPECT_EQ(seriesNames(), (Names{"penetration_depth",
+                                  "passed_through",
+                                  "inverted_triangles",
+                                  "stand_off",
+                                  "tool_position",
+                                  "tool_quaternion",
+                                  "contact_count",
+                                  "infeasible_count",
+                                  "candidate_count",
+                                  "capped_count",
+                                  "reaction_force",
+                                  "force",
+                                  "force_elastic",
+                                  "force_viscous",
+                                  "adhesion_clamped",
+                                  "deformation_max",
+                                  "deformation_mean",
+                                  "deformation_rate_max",
+                                  "deformation_rate_min",
+                                  "deformation_rate_mean",
+                                  "colliding_triangles",
+                                  "tool_force",
+                                  "kinetic_energy",
+                                  "momentum",
+                                  "volume",
+                                  "timing/step_time_us",
+                                  "timing/collision_time_us"}));
   EXPECT_EQ(layout_.find("force")->axes, (Names{"law", "xyz"}));
+  EXPECT_EQ(layout_.find("tool_force")->axes, (Names{"law", "tool", "xyz"}));
+  EXPECT_EQ(layout_.find("deformation_max")->axes, (Names{"law"}));
+  EXPECT_EQ(scalar("saturated_steps").name, "absent");
   EXPECT_EQ(layout_.axis("law").labels, (Names{"hc", "linear"}));
   EXPECT_EQ(layout_.find("passed_through")->type, ValueType::count);
 }
@@ -106,8 +136,20 @@ TEST_F(ProbesTest, MeasureNoToolWithoutTools) {
   step();
 }
 
+TEST_F(ProbesTest, ForcesWithoutToolsGoToNone) {
+  scene_.tools.clear();
+  state_.tools.clear();
+  addLaws({"hc"});
+  start();
+  EXPECT_EQ(layout_.find("tool_force"), nullptr);
+  EXPECT_NE(layout_.find("force"), nullptr);
+  step();
+  EXPECT_EQ(value("force"), 0);
+}
+
 TEST_F(ProbesTest, FillEveryColumn) {
   addNodes(4);
+  limitForce(8);
   addLaws({"hc"});
   start();
   step();
@@ -116,6 +158,7 @@ TEST_F(ProbesTest, FillEveryColumn) {
 
 TEST_F(ProbesTest, SummarizeNaNBeforeTheFirstStep) {
   addNodes(4);
+  limitForce(8);
   addLaws({"hc"});
   start();
   Summary summary;
@@ -217,6 +260,54 @@ TEST_F(ProbesTest, ForceOfEachLaw) {
   EXPECT_DOUBLE_EQ(real("force_roughness"), 2 / std::sqrt(2.5));
   EXPECT_DOUBLE_EQ(real("force_roughness_hc"), 2 / std::sqrt(2.5));
   EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
+}
+
+TEST_F(ProbesTest, DeformationStatisticsOfEachLaw) {
+  addLaws({"hc", "linear"});
+  start();
+  state_.colliding_triangles = 17;
+  state_.forces[1] = {.deformation_max_m = 0.5,
+                      .deformation_mean_m = 0.25,
+                      .rate_max_m_s = 3,
+                      .rate_min_m_s = -4,
+                      .rate_mean_m_s = -1};
+  step();
+  EXPECT_EQ(value("colliding_triangles"), 17);
+  EXPECT_EQ(value("deformation_max", 0), 0);
+  EXPECT_EQ(value("deformation_max", 1), 0.5);
+  EXPECT_EQ(value("deformation_mean", 1), 0.25);
+  EXPECT_EQ(value("deformation_rate_max", 1), 3);
+  EXPECT_EQ(value("deformation_rate_min", 1), -4);
+  EXPECT_EQ(value("deformation_rate_mean", 1), -1);
+}
+
+// Two tools, the second with a limit of 8 N: 8 N is within it, a little more is not, and neither is NaN. The
+// first has no limit.
+TEST_F(ProbesTest, SaturationIsAFlagAgainstTheDevicesLimitAndLeavesTheForce) {
+  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}, {0.04, 0.002, 0.015}});
+  scene_.tools[0].name = "free";
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0), test::at(0, 0.2, 0)});
+  limitForce(8);
+  scenario_.tools[0].name = scene_.tools[1].name = "held";
+  addLaws({"hc", "linear"});
+  start();
+  EXPECT_EQ(layout_.find("saturated")->type, ValueType::flag);
+  EXPECT_EQ(layout_.find("saturated")->axes, (Names{"law", "tool"}));
+  const double forces_N[] = {8, 8.0000001, 100, 0, kNaN};
+  const double expected[] = {0, 1, 1, 0, 1};
+  for (int i = 0; i < 5; ++i) {
+    state_.tool_forces_N = {Vec3(0, 1000, 0), Vec3(0, 0, -forces_N[i]), Vec3::Zero(), Vec3(0, 7, 0)};
+    step();
+    EXPECT_EQ(value("saturated", 0), 0) << "no device";
+    EXPECT_EQ(value("saturated", 1), expected[i]) << forces_N[i];
+    EXPECT_EQ(value("saturated", 3), 0) << "the second law stays within";
+    EXPECT_EQ(value("tool_force", 1), 1000);
+    EXPECT_TRUE(value("tool_force", 5) == -forces_N[i] || i == 4) << "unclamped";
+    EXPECT_EQ(value("tool_force", 10), 7);
+  }
+  EXPECT_EQ(count("saturated_steps"), 3);
+  EXPECT_EQ(count("saturated_steps_hc"), 3);
+  EXPECT_EQ(count("saturated_steps_linear"), 0);
 }
 
 // Box 0.1 m on edge, 8 vertices of 1 kg moving with (1, -2, 2) m/s: 9 / 2 J each.

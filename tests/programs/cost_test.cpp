@@ -72,7 +72,8 @@ bool hasAny(const std::vector<std::string>& paths, const std::string& ending) {
 TEST(Cost, UnaskedDatasetsAreAbsent) {
   const std::vector<std::string> bare = datasetsOf(pressScenario());
   for (const char* name : {"/positions", "/snapshot_time", "/node_state", "/vertex_contact", "/frames",
-                           "/frame_time", "/force", "/law", "/force_elastic", "/adhesion_clamped"})
+                           "/frame_time", "/force", "/law", "/force_elastic", "/adhesion_clamped",
+                           "/tool_force", "/saturated", "/deformation_max", "/colliding_triangles"})
     EXPECT_FALSE(hasAny(bare, name)) << name;
   EXPECT_TRUE(hasAny(bare, "/penetration_depth"));
   const std::vector<std::string> all = datasetsOf(

@@ -112,6 +112,13 @@ const BadCase key_cases[] = {
     {"LambdaForLinearElastic", "linear_elastic, k: 200", "linear_elastic, k: 200, lambda: 50",
      "a.yaml:29: key \"lambda\" in force.linear has no meaning here, expected it only for model "
      "hunt_crossley"},
+    {"RateForLinearElastic", "linear_elastic, k: 200", "linear_elastic, k: 200, rate: velocities",
+     "a.yaml:29: key \"rate\" in force.linear has no meaning here, expected it only for models "
+     "hunt_crossley and kelvin_voigt"},
+    {"DampingForHuntCrossley", "lambda: 50", "c: 50",
+     "a.yaml:28: key \"c\" in force.hc has no meaning here, expected it only for model kelvin_voigt"},
+    {"PerAreaWithoutCoefficient", "lambda: 50", "per_area: true",
+     "a.yaml:28: missing key \"lambda\" in force.hc, expected it"},
     {"SweepsForDefault", "settings: tuned", "sweeps: 10",
      "a.yaml:25: key \"sweeps\" in pipelines.default has no meaning here"},
     {"SettingsForFukuhara", "sweeps: 10", "settings: tuned",
@@ -195,7 +202,8 @@ const BadCase type_cases[] = {
     {"PipelineNull", "pipeline: fukuhara", "pipeline: null",
      "a.yaml:26: pipelines.full.pipeline is empty, expected a name (in quotes if it is \"null\""},
     {"UnknownModel", "linear_elastic", "cubic",
-     "a.yaml:29: force.linear.model is \"cubic\", expected one of hunt_crossley, linear_elastic"},
+     "a.yaml:29: force.linear.model is \"cubic\", expected one of hunt_crossley, kelvin_voigt, "
+     "linear_elastic"},
     {"UnknownTiming", "speed_m_s: 0.1", "speed_m_s: 0.1, timing: minimal_jerk",
      "a.yaml:22: tools.blade.motion.segments.0.timing is \"minimal_jerk\", did you mean \"minimum_jerk\"?"},
     {"NewerFormat", "format: 1", "format: 2\nnew_key: 1", "a.yaml:1: format is 2, expected 1"},

@@ -91,7 +91,7 @@ TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
   for (const auto* table : {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.motions,
                             &c.timings, &c.interpolations, &c.settings, &c.precisions, &c.length_units,
-                            &c.rates, &c.aero_models, &c.soft_contacts}) {
+                             &c.rates, &c.deformations, &c.aero_models, &c.soft_contacts}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));

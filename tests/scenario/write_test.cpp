@@ -51,6 +51,7 @@ const char* const every_field =
     "    shape: {type: box, size_m: [0.05, 0.003, 0.016]}\n"
     "    nodes: {resolution: [9, 5]}\n"
     "    friction: 0.15\n"
+    "    force_limit_N: 7.5\n"
     "    motion:\n"
     "      type: script\n"
     "      start_m: [0.1, 0.2, 0.3]\n"
@@ -89,6 +90,7 @@ const char* const every_field =
     "force:\n"
     "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
     "  - {model: linear_elastic, k: 202}\n"
+    "  - {model: kelvin_voigt, k: 203, c: 3, rate: velocities, deformation: corotated, per_area: true}\n"
     "record:\n"
     "  snapshots_every_s: 0.02\n"
     "  frames:\n"
@@ -147,11 +149,15 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.pipelines[2],
             (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, true, 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
-            (std::vector<ForceSettings>{{"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
-                                        {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"}}));
+            (std::vector<ForceSettings>{
+                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
+                {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"},
+                {"kelvin_voigt", "kelvin_voigt", 203, 50, 1.3, "velocities", 3, "corotated", true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
   EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}}));
   EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
+  EXPECT_EQ(s.tools[0].force_limit_N, 7.5);
+  EXPECT_EQ(s.tools[1].force_limit_N, std::nullopt);
 }
 
 TEST_F(RoundTrip, MotionsReachTheirPlace) {

@@ -54,6 +54,10 @@ def check_series(data, rows):
     assert data.force.attrs["hc_model"] == "hunt_crossley" and data.force.attrs["linear_model"] == "linear_elastic"
     assert data.force.attrs["hc_lambda_units"] == "newton second per metre to the power n + 1"
     assert "linear_lambda" not in data.force.attrs
+    assert data.force.attrs["hc_deformation"] == "paper" and data.force.attrs["linear_deformation"] == "corotated"
+    assert data.force.attrs["hc_per_area"] == "false" and data.force.attrs["linear_per_area"] == "true"
+    assert data.force.attrs["hc_k_units"] == "newton per metre to the power n"
+    assert data.force.attrs["linear_k_units"] == "newton per cubic metre"
 
 
 def check_pictures(data, snapshots, frames):

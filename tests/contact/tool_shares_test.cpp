@@ -1,0 +1,153 @@
+// Several tools on one body: which of them feels a triangle's force (METHOD: force).
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "contact/grid_nodes.h"
+#include "contact/node_contact.h"
+#include "contact/triangle_forces.h"
+#include "mesh/primitives.h"
+
+namespace fissure {
+namespace {
+
+constexpr double kStiffness = 100;
+
+/// A box 5 mm away from its rest, two tools, a linear law.
+class ToolShares : public testing::Test {
+ protected:
+  ToolShares() {
+    scene.bodies.push_back({.name = "box", .rest = makeBox({0.02, 0.02, 0.02})});
+    scene.tools.resize(2);
+    state.positions_m = scene.bodies[0].rest.vertices_m;
+    for (Vec3& p : state.positions_m) p += Vec3(0, -0.005, 0);
+    state.velocities_m_s.assign(state.positions_m.size(), Vec3::Zero());
+    patch.resize(scene.vertexCount(), scene.faceCount(), 2);
+    patch.clear();
+  }
+  void touch(int tool, int face, const Vec3& normal, double displacement_m) {
+    patch.touchFace(tool, face, normal, displacement_m);
+    for (const int vertex : scene.bodies[0].rest.faces[face])
+      patch.touchVertex(tool, vertex, 1.0 / 3, normal, displacement_m);
+  }
+  void evaluate() {
+    std::vector<TriangleLaw> laws;
+    laws.push_back({makeLinearElastic(kStiffness)});
+    laws.push_back({makeLinearElastic(3 * kStiffness)});
+    TriangleForces(scene, std::move(laws), 0.001).evaluate(patch, state);
+  }
+  const Vec3& force(std::size_t law, std::size_t tool) const { return state.tool_forces_N[2 * law + tool]; }
+
+  Scene scene;
+  State state;
+  ContactPatch patch;
+};
+
+void expectNear(const Vec3& found, const Vec3& expected) {
+  EXPECT_LE((found - expected).norm(), 1e-14) << found.transpose() << " instead of " << expected.transpose();
+}
+
+TEST_F(ToolShares, EachTriangleGoesToTheToolsOnItInProportionToTheirDisplacements) {
+  touch(0, 0, -Vec3::UnitY(), 0.003);
+  touch(1, 0, -Vec3::UnitY(), 0.001);
+  evaluate();
+  const double all_N = kStiffness * 0.005 * state.colliding_triangles;
+  expectNear(force(0, 0), Vec3(0, 0.75 * all_N, 0));
+  expectNear(force(0, 1), Vec3(0, 0.25 * all_N, 0));
+  expectNear(force(1, 1), Vec3(0, 0.75 * all_N, 0));
+}
+
+TEST_F(ToolShares, ATriangleWithoutOneOfItsOwnGoesByItsVertices) {
+  // Both tools on opposite faces: what lies between carries vertices of one or both.
+  int opposite = -1;
+  for (int face = 1; face < scene.faceCount() && opposite < 0; ++face) {
+    bool apart = true;
+    for (const int a : scene.bodies[0].rest.faces[0])
+      for (const int b : scene.bodies[0].rest.faces[face]) apart &= a != b;
+    if (apart) opposite = face;
+  }
+  ASSERT_GE(opposite, 0);
+  touch(0, 0, Vec3::UnitX(), 0.001);
+  touch(1, opposite, -Vec3::UnitX(), 0.002);
+  evaluate();
+  double expected[2] = {0, 0};
+  for (int face = 0; face < scene.faceCount(); ++face) {
+    double weight[2] = {0, 0};
+    for (const int vertex : scene.bodies[0].rest.faces[face]) {
+      for (const int a : scene.bodies[0].rest.faces[0]) weight[0] += a == vertex ? 0.001 : 0;
+      for (const int b : scene.bodies[0].rest.faces[opposite]) weight[1] += b == vertex ? 0.002 : 0;
+    }
+    if (face == 0) weight[1] = 0;  // its own contact alone counts
+    if (face == opposite) weight[0] = 0;
+    for (int tool = 0; tool < 2; ++tool) {
+      if (weight[tool] > 0) expected[tool] += kStiffness * 0.005 * weight[tool] / (weight[0] + weight[1]);
+    }
+  }
+  ASSERT_GT(expected[0], 0.5) << "more than the face itself";
+  expectNear(force(0, 0), Vec3(-expected[0], 0, 0));
+  expectNear(force(0, 1), Vec3(expected[1], 0, 0));
+}
+
+// Two jaws that pinch a triangle's two sides: the total cancels, what each jaw feels does not.
+TEST_F(ToolShares, OpposingToolsFeelOppositeForces) {
+  touch(0, 0, Vec3::UnitX(), 0.002);
+  touch(1, 0, -Vec3::UnitX(), 0.002);
+  evaluate();
+  expectNear(state.forces[0].force_on_tool_N, Vec3::Zero());
+  EXPECT_LT(force(0, 0).x(), -0.1);
+  expectNear(force(0, 1), -force(0, 0));
+}
+
+TEST_F(ToolShares, ContactsThatOnlyHoldShareAlike) {
+  touch(0, 0, -Vec3::UnitY(), 0);
+  touch(1, 0, -Vec3::UnitY(), 0);
+  evaluate();
+  EXPECT_GT(force(0, 0).y(), 0.1);
+  expectNear(force(0, 0), force(0, 1));
+}
+
+// Two blades on the top of a cube, their lower faces 2 and 5 mm below it and their nodes 0.5 mm short of
+// that: nine nodes of each face displace by 2.5 and 5.5 mm.
+TEST(ToolDisplacements, AreHowFarTheContactsWereShort) {
+  Scene scene;
+  scene.bodies.push_back({.name = "cube", .rest = makeBox({0.06, 0.06, 0.06})});
+  const Vec3 size_m(0.02, 0.002, 0.01);
+  for (const int first_node : {0, 18})
+    scene.tools.push_back({.name = "blade",
+                           .surface = {},
+                           .box_size_m = size_m,
+                           .nodes = makeGridNodes(size_m, {3, 3}),
+                           .first_node = first_node});
+  const auto blades = [](double left_m, double right_m) {
+    return std::vector<ToolState>{{.pose = {.position_m = Vec3(-0.015, left_m + 0.001, 0)}},
+                                  {.pose = {.position_m = Vec3(0.015, right_m + 0.001, 0)}}};
+  };
+  NodeContact contact(scene, {.margins_m = {0.0005}});
+  std::vector<Vec3> positions_m = scene.bodies[0].rest.vertices_m;
+  const std::vector<double> inverse_masses(positions_m.size(), 10.0);
+  State state;
+  ContactPatch patch;
+  patch.resize(scene.vertexCount(), scene.faceCount(), 2);
+  contact.step(positions_m, inverse_masses, blades(0.035, 0.035), blades(0.028, 0.025), 0.001, state, patch);
+  ASSERT_EQ(state.contact_count, 18);
+  const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
+  EXPECT_NEAR(sum(patch.tools[0].face_displacements_m), 9 * 0.0025, 1e-12);
+  EXPECT_NEAR(sum(patch.tools[1].face_displacements_m), 9 * 0.0055, 1e-12);
+  EXPECT_NEAR(sum(patch.tools[0].vertex_displacements_m), 9 * 0.0025, 1e-12) << "weights sum up to 1";
+  EXPECT_NEAR(sum(patch.tools[1].vertex_displacements_m), 9 * 0.0055, 1e-12);
+}
+
+TEST_F(ToolShares, ToolsSumUpToTheTotalOfEveryLaw) {
+  touch(0, 0, Vec3(0.6, -0.8, 0), 0.0031);
+  touch(1, 0, Vec3(0, -0.8, 0.6), 0.0007);
+  touch(1, 4, Vec3(0, 0, -1), 0.0013);
+  evaluate();
+  for (std::size_t law = 0; law < 2; ++law) {
+    EXPECT_GT(force(law, 0).norm(), 0.1);
+    EXPECT_GT(force(law, 1).norm(), 0.1);
+    expectNear(force(law, 0) + force(law, 1), state.forces[law].force_on_tool_N);
+  }
+}
+
+}  // namespace
+}  // namespace fissure
