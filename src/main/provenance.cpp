@@ -10,8 +10,8 @@
 #include <thread>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "main/build_info.h"
-#include "main/hash.h"
 
 namespace fissure {
 
@@ -87,7 +87,7 @@ std::string inputHashes(const LoadedScenario& loaded) {
     const fs::path full = fs::absolute(input).lexically_normal();
     fs::path name = full.lexically_relative(folder);
     if (name.empty() || *name.begin() == "..") name = full.filename();
-    text += (text.empty() ? "" : ", ") + name.generic_string() + "=" + hashText(contents(input));
+    text += (text.empty() ? "" : ", ") + name.generic_string() + "=fnv1a64:" + fnv1a64(contents(input));
   }
   return text;
 }
@@ -104,7 +104,7 @@ Provenance collectProvenance(const LoadedScenario& loaded, const std::string& in
   return {{"version", build.version},
           {"commit", build.commit},
           {"dirty", build.dirty ? "true" : "false"},
-          {"scenario_hash", hashText(loaded.resolved)},
+          {"scenario_hash", "fnv1a64:" + fnv1a64(loaded.resolved)},
           {"input_hashes", input_hashes},
           {"command_line", command_line},
           {"started_utc", utc(times.started)},

@@ -4,34 +4,30 @@
 #include <cmath>
 #include <limits>
 
+#include "base/hash.h"
 #include "measure/statistics.h"
 
 namespace fissure {
 
 namespace {
 
-void hashDouble(double value, std::uint64_t& hash) {
+void appendDouble(double value, std::string& bytes) {
   if (value == 0) value = 0;  // the one comparison that -0 passes too
   if (std::isnan(value)) value = std::numeric_limits<double>::quiet_NaN();
   const std::uint64_t bits = std::bit_cast<std::uint64_t>(value);
-  for (int shift = 0; shift < 64; shift += 8) {
-    hash ^= (bits >> shift) & 0xff;
-    hash *= 0x100000001b3ULL;
-  }
+  for (int shift = 0; shift < 64; shift += 8) bytes += static_cast<char>((bits >> shift) & 0xff);
 }
 
 }  // namespace
 
 std::string stateHash(const std::vector<Vec3>& positions_m, const std::vector<Vec3>& velocities_m_s) {
-  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  std::string bytes;
   for (const std::vector<Vec3>* vectors : {&positions_m, &velocities_m_s}) {
     for (const Vec3& vector : *vectors) {
-      for (int i = 0; i < 3; ++i) hashDouble(vector[i], hash);
+      for (int i = 0; i < 3; ++i) appendDouble(vector[i], bytes);
     }
   }
-  std::string digits;
-  for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash >> shift) & 0xf];
-  return digits;
+  return fnv1a64(bytes);
 }
 
 void FinalStateProbe::declare(RecordLayout&) {}

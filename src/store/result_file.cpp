@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "base/error.h"
+#include "base/hash.h"
 #include "store/format.h"
 #include "store/frame_images.h"
 #include "store/group_builder.h"
@@ -25,15 +26,6 @@ std::string nowUtc() {
   return text.data();
 }
 
-// FNV-1a, 64 bits: enough to tell results apart, and the same everywhere.
-std::string identifierOf(const std::string& text) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211ULL;
-  std::array<char, 17> digits{};
-  std::snprintf(digits.data(), digits.size(), "%016llx", static_cast<unsigned long long>(hash));
-  return digits.data();
-}
-
 std::string valueOf(const Provenance& provenance, const std::string& name) {
   for (const auto& [key, value] : provenance) {
     if (key == name) return value;
@@ -51,7 +43,7 @@ void writeRoot(hid_t file, const LoadedScenario& loaded, const Provenance& prove
   h5::setAttribute(file, "source", "fissure" + (version.empty() ? "" : " " + version));
   h5::setAttribute(file, "history", date + " " + (command.empty() ? "fissure" : command));
   h5::setAttribute(file, "date_created", date);
-  h5::setAttribute(file, "id", identifierOf(loaded.resolved + date));
+  h5::setAttribute(file, "id", fnv1a64(loaded.resolved + date));
   h5::setAttribute(file, "format", std::string(result_format));
   h5::setAttribute(file, "format_version", format_version);
 }

@@ -1,17 +1,17 @@
-#include "main/hash.h"
+#include "base/hash.h"
 
 #include <cstdint>
 
 namespace fissure {
 
-std::string hashText(std::string_view bytes) {
+std::string fnv1a64(std::string_view bytes) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const char byte : bytes) {
     hash ^= static_cast<unsigned char>(byte);
     hash *= 0x100000001b3u;
   }
   constexpr std::string_view digits = "0123456789abcdef";
-  std::string text = "fnv1a64:";
+  std::string text;
   for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15u];
   return text;
 }
