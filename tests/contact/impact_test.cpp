@@ -138,7 +138,7 @@ TEST(Impact, TheSimulationsSteppingIsOfFirstOrderInDepth) {
       table += text;
     }
     EXPECT_NEAR(observedOrder(lines, &Line::x_error), 1, 0.2) << "a = " << reference.a;
-    // What compression loses to first order, restitution gains back.
+    // Observed, not derived: where the wall is left, the error of first order is gone.
     EXPECT_GT(observedOrder(lines, &Line::v_error), 1.8) << "a = " << reference.a;
   }
   if (const char* file = std::getenv("FISSURE_IMPACT_TABLE")) std::ofstream(file) << table;
