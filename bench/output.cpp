@@ -20,7 +20,7 @@ void append(benchmark::State& state) {
   const Scenario scenario = configuredScenario("spatula_press");
   const PipelineSettings& pipeline = scenario.pipelines.back();
   const Scene scene = buildScene(scenario, pipeline.usesNodes());
-  auto probes = makeProbes(scenario, pipeline, scene);
+  auto probes = makeProbes(scenario, scene);
   const RecordLayout layout = Run::declareLayout(probes);
   std::vector<RecordRow> table(1000, RecordRow(layout.columns()));  // values that no filter can squeeze away
   for (std::size_t i = 0; i < table.size(); ++i) {
