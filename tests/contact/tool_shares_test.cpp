@@ -137,6 +137,33 @@ TEST(ToolDisplacements, AreHowFarTheContactsWereShort) {
   EXPECT_NEAR(sum(patch.tools[1].vertex_displacements_m), 9 * 0.0055, 1e-12);
 }
 
+// Contacts of tissue vertices name their tool too: one blade over the left, one over the right edge of the
+// top.
+TEST(ToolDisplacements, VertexContactsBelongToTheToolThatHoldsThem) {
+  Scene scene;
+  scene.bodies.push_back({.name = "cube", .rest = makeBox({0.06, 0.06, 0.06})});
+  for (int i = 0; i < 2; ++i) scene.tools.push_back({.name = "blade", .box_size_m = Vec3(0.02, 0.002, 0.08)});
+  const auto blades = [](double y_m) {
+    return std::vector<ToolState>{{.pose = {.position_m = Vec3(-0.03, y_m, 0)}},
+                                  {.pose = {.position_m = Vec3(0.03, y_m, 0)}}};
+  };
+  NodeContact contact(scene, {.vertex_contacts = true, .margins_m = {0.0005}});
+  std::vector<Vec3> positions_m = scene.bodies[0].rest.vertices_m;
+  const std::vector<double> inverse_masses(positions_m.size(), 10.0);
+  State state;
+  ContactPatch patch;
+  patch.resize(scene.vertexCount(), scene.faceCount(), 2);
+  contact.step(positions_m, inverse_masses, blades(0.035), blades(0.029), 0.001, state, patch);
+  ASSERT_EQ(state.contact_count, 4);
+  for (int vertex = 0; vertex < scene.vertexCount(); ++vertex) {
+    const Vec3& rest_m = scene.bodies[0].rest.vertices_m[vertex];
+    for (const int tool : {0, 1}) {
+      const bool held = rest_m.y() > 0 && (rest_m.x() > 0) == (tool == 1);
+      EXPECT_NEAR(patch.tools[tool].vertex_displacements_m[vertex], held ? 0.0025 : 0, 1e-12);
+    }
+  }
+}
+
 TEST_F(ToolShares, ToolsSumUpToTheTotalOfEveryLaw) {
   touch(0, 0, Vec3(0.6, -0.8, 0), 0.0031);
   touch(1, 0, Vec3(0, -0.8, 0.6), 0.0007);
