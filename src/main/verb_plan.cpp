@@ -52,7 +52,8 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
   for (const ForceSettings& law : scenario.force)
-    std::cout << "  force: " << law.name << " (" << law.model << ", deformation " << law.deformation
+    std::cout << "  force: " << law.name << " (" << law.model
+              << (law.deformation == "paper" ? "" : ", " + law.deformation)
               << (law.per_area ? ", per area" : "") << ")\n";
   std::cout << "  record:";
   for (const std::string& name : plan.series) std::cout << " " << name;
