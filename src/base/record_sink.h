@@ -6,9 +6,10 @@
 
 namespace fissure {
 
-/// How a run ended. `ok` and `non_finite` are said by the worker, the others by the front that watched it.
+/// How a run ended. `ok` and `non_finite` are said by the worker, the others by the front that watched it,
+/// and `salvaged` where nobody was left to say it.
 struct RunStatus {
-  std::string status = "ok";  ///< ok | non_finite | timeout | crashed | interrupted | failed
+  std::string status = "ok";  ///< ok | non_finite | timeout | crashed | interrupted | failed | salvaged
   std::string detail;         ///< one line: when, where, which signal
 };
 

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "process/engine_program.h"
+#include "store/salvage.h"
 
 namespace fissure {
 
@@ -49,11 +50,14 @@ RunStatus statusIn(const fs::path& part, const std::string& name) {
 
 }  // namespace
 
-Experiment::Experiment(CheckedScenario checked, const fs::path& output, bool replace)
-    : checked_(std::move(checked)), output_(output), open_(checked_.loaded.scenario.pipelines.size()) {
+Experiment::Experiment(CheckedScenario checked, const fs::path& output, const OutputRules& rules)
+    : checked_(std::move(checked)),
+      output_(output),
+      keep_parts_(rules.keep_parts),
+      open_(checked_.loaded.scenario.pipelines.size()) {
   refuseInputsAsOutput(checked_.loaded, output);
   input_hashes_ = inputHashes(checked_.loaded);
-  slot_ = std::make_unique<OutputSlot>(output, replace);
+  slot_ = std::make_unique<OutputSlot>(output, rules.replace);
   writeText(resolvedFile(), checked_.loaded.resolved);
   for (const PipelineSettings& pipeline : checked_.loaded.scenario.pipelines)
     results_.push_back({pipeline, {}, {}});
@@ -84,7 +88,7 @@ void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
   result.status.detail = without(without(result.status.detail, slot_->parts()), folder);
   if (result.status.status == "ok" || result.status.status == "non_finite") {
     result.part = partOf(index);
-  } else {
+  } else if (!keep_parts_) {
     std::error_code ignored;
     fs::remove(partOf(index), ignored);  // runs are deterministic: half of one is worth no disk space
   }
@@ -122,17 +126,40 @@ void Experiment::close(const std::string& command_line) {
   times_.ended = std::chrono::system_clock::now();
   times_.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - *start_).count();
   refuseChangedInputs();
-  if (worthKeeping()) {
-    if (interrupted() && fs::exists(output_)) output_.replace_extension(".interrupted.h5");
-    try {
-      assembleResult(output_, checked_.loaded,
-                     collectProvenance(checked_.loaded, input_hashes_, command_line, times_), results_);
-      info_ = readResultInfo(output_);
-    } catch (const std::runtime_error& error) {
-      error_ = error.what();
-    }
-  }
+  const fs::path name = output_;
+  if (worthKeeping()) writeResult(command_line);
+  for (std::size_t i = 0; i < results_.size(); ++i) keepPart(i, name);
   slot_.reset();
+}
+
+void Experiment::writeResult(const std::string& command_line) {
+  if (interrupted() && fs::exists(output_)) output_ = slot_->interruptedOutput();
+  try {
+    assembleResult(output_, checked_.loaded,
+                   collectProvenance(checked_.loaded, input_hashes_, command_line, times_), results_);
+    info_ = readResultInfo(output_);
+  } catch (const std::runtime_error& error) {
+    error_ = error.what();
+  }
+}
+
+/// Of a run that is in the result, a part kept by an earlier attempt is of no use any more.
+void Experiment::keepPart(std::size_t index, const fs::path& name) {
+  fs::path kept = name;
+  kept += "." + results_[index].pipeline.name + ".part";
+  std::error_code error;
+  if (info_ && results_[index].part) {
+    fs::remove(kept, error);
+    return;
+  }
+  if (!keep_parts_) return;
+  try {
+    inspectPart(partOf(index));
+  } catch (const InputError&) {
+    return;  // nothing in it
+  }
+  fs::rename(partOf(index), kept, error);
+  if (!error) kept_parts_.push_back(kept);
 }
 
 }  // namespace fissure

@@ -16,11 +16,17 @@
 
 namespace fissure {
 
+/// How a result file may be made.
+struct OutputRules {
+  bool replace = false;     ///< an existing one
+  bool keep_parts = false;  ///< what runs that did not finish have written stays beside it, for salvage
+};
+
 /// One scenario on its way to a result file: its runs, and what became of each.
 class Experiment {
  public:
   /// Reserves `output` and lays down the resolved scenario for the workers. Throws InputError, RunError.
-  Experiment(CheckedScenario checked, const std::filesystem::path& output, bool replace);
+  Experiment(CheckedScenario checked, const std::filesystem::path& output, const OutputRules& rules);
 
   const CheckedScenario& checked() const { return checked_; }
   const std::filesystem::path& output() const { return output_; }
@@ -37,6 +43,9 @@ class Experiment {
   /// written.
   void close(const std::string& command_line);
 
+  /// `<output>.<run>.part` of each run that is not whole in a result, when they are kept and something is in
+  /// them.
+  const std::vector<std::filesystem::path>& keptParts() const { return kept_parts_; }
   const std::vector<PartResult>& results() const { return results_; }
   const std::string& error() const { return error_; }
   const std::optional<ResultInfo>& info() const { return info_; }  ///< of the file that close() wrote
@@ -47,14 +56,18 @@ class Experiment {
   bool interrupted() const;
   bool worthKeeping() const;
   void refuseChangedInputs();
+  void writeResult(const std::string& command_line);
+  void keepPart(std::size_t index, const std::filesystem::path& name);
 
   CheckedScenario checked_;
   std::filesystem::path output_;
+  bool keep_parts_;
   std::unique_ptr<OutputSlot> slot_;  ///< until close()
   std::vector<PartResult> results_;
   std::size_t open_;
   std::optional<ResultInfo> info_;
   std::string error_;
+  std::vector<std::filesystem::path> kept_parts_;
   std::string input_hashes_;  ///< when the scenario was read
   RunTimes times_;
   std::optional<std::chrono::steady_clock::time_point> start_;

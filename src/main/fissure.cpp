@@ -45,8 +45,9 @@ int start(int argc, char** argv) {
       "Exit codes: 0 done and good, 1 a comparison failed, 2 bad input or usage, 3 a run failed, 130 "
       "interrupted.");
   const std::string command_line = commandLine(argc, argv);
-  const std::vector<Verb> verbs = {addRun(app, command_line), addPlan(app), addValidate(app), addList(app),
-                                   addInfo(app)};
+  const std::vector<Verb> verbs = {
+      addRun(app, command_line),    addPlan(app), addValidate(app), addList(app), addInfo(app),
+      addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

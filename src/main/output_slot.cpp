@@ -32,9 +32,26 @@ void checkFree(const fs::path& output, bool replace) {
   if (!replace) refuse(output, "exists already, expected a new name or --force");
 }
 
+/// Half written results, which store/ names so.
+bool isTemporaryOf(const fs::path& result, const fs::directory_entry& entry) {
+  std::error_code ignored;
+  const std::string name = entry.path().filename().string();
+  return name.starts_with(result.filename().string() + ".") && name.ends_with(".tmp") &&
+         fs::is_regular_file(entry.symlink_status(ignored));
+}
+
+/// Folders of parts.
+bool isPartsOf(const fs::path& result, const fs::directory_entry& entry) {
+  std::error_code ignored;
+  const std::string beginning = hiddenBeside(result, ".").filename().string();
+  const std::string name = entry.path().filename().string();
+  return name.starts_with(beginning) && name.size() == beginning.size() + 6 &&
+         fs::is_directory(entry.symlink_status(ignored));
+}
+
 }  // namespace
 
-OutputSlot::OutputSlot(const fs::path& output, bool replace) : output_(output) {
+OutputClaim::OutputClaim(const fs::path& output, bool replace) {
   if (!output.has_filename()) refuse(output, "is a folder, expected the name of a result file");
   checkFree(output, replace);
   std::error_code error;
@@ -42,6 +59,9 @@ OutputSlot::OutputSlot(const fs::path& output, bool replace) : output_(output) {
   if (error) refuse(output, "cannot make its folder: " + error.message());
   lock_.emplace(hiddenBeside(output, ".lock"), output);
   checkFree(output, replace);  // another run may have finished it before the lock was ours
+}
+
+OutputSlot::OutputSlot(const fs::path& output, bool replace) : output_(output), claim_(output, replace) {
   removeLeftovers();
   std::string name = hiddenBeside(output, ".XXXXXX").string();
   if (!::mkdtemp(name.data())) refuse(output, std::string("cannot be written: ") + std::strerror(errno));
@@ -53,23 +73,30 @@ OutputSlot::~OutputSlot() {
   fs::remove_all(parts_, ignored);
 }
 
-/// What runs that were killed left behind: folders of parts, and half written results (which store/ names
-/// so). While the lock is ours, nobody uses them.
+fs::path OutputSlot::interruptedOutput() const {
+  return fs::path(output_).replace_extension(".interrupted.h5");
+}
+
+/// What runs that were killed left behind. While the claim is ours, nobody uses it; the name for interrupted
+/// batches may be the ordinary output of another run.
 void OutputSlot::removeLeftovers() const {
   const fs::path folder = output_.has_parent_path() ? output_.parent_path() : fs::path(".");
-  const std::string result = output_.filename().string() + ".";
-  const std::string parts = hiddenBeside(output_, ".").filename().string();
+  const fs::path interrupted = interruptedOutput();
   std::error_code ignored;
-  std::vector<fs::path> leftovers;
+  std::vector<fs::path> ours;
+  std::vector<fs::path> shared;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    const fs::file_status status = entry.symlink_status(ignored);
-    const bool is_parts =
-        name.starts_with(parts) && name.size() == parts.size() + 6 && fs::is_directory(status);
-    const bool is_result = name.starts_with(result) && name.ends_with(".tmp") && fs::is_regular_file(status);
-    if (is_parts || is_result) leftovers.push_back(entry.path());
+    if (isPartsOf(output_, entry) || isTemporaryOf(output_, entry)) ours.push_back(entry.path());
+    if (isTemporaryOf(interrupted, entry)) shared.push_back(entry.path());
   }
-  for (const fs::path& leftover : leftovers) fs::remove_all(leftover, ignored);
+  for (const fs::path& leftover : ours) fs::remove_all(leftover, ignored);
+  if (shared.empty()) return;
+  try {
+    const OutputClaim claim(interrupted, true);
+    for (const fs::path& leftover : shared) fs::remove(leftover, ignored);
+  } catch (const InputError&) {
+    return;  // its own run cleans up
+  }
 }
 
 }  // namespace fissure

@@ -121,4 +121,15 @@ Provenance collectProvenance(const LoadedScenario& loaded, const std::string& in
           {"seed", "none: nothing is random"}};
 }
 
+Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& command_line) {
+  const BuildInfo& build = buildInfo();
+  return {{"version", build.version},
+          {"commit", build.commit},
+          {"dirty", build.dirty ? "true" : "false"},
+          {"scenario_hash", hashText(loaded.resolved)},
+          {"command_line", command_line},
+          {"hdf5_version", hdf5Version()},
+          {"yaml_cpp_version", build.yaml_cpp_version}};
+}
+
 }  // namespace fissure

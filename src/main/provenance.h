@@ -23,6 +23,10 @@ struct RunTimes {
 Provenance collectProvenance(const LoadedScenario& loaded, const std::string& input_hashes,
                              const std::string& command_line, const RunTimes& times);
 
+/// The same for a result salvaged from a part, about the salvaging program: what the front knew of the run
+/// itself has died with it.
+Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& command_line);
+
 /// "name=hash, name=hash" of the files a scenario was read from, as they are now: names relative to the
 /// scenario's folder, or the file name alone outside it. Throws RunError when one cannot be read.
 std::string inputHashes(const LoadedScenario& loaded);

@@ -32,8 +32,9 @@ Json resultJson(const std::filesystem::path& file, const ResultInfo& info) {
         {{"path", dataset.path}, {"type", dataset.type}, {"shape", dataset.shape}, {"units", dataset.units}});
   return {{"file", file.string()},     {"title", info.title},
           {"format", info.format},     {"format_version", info.format_version},
-          {"complete", info.complete}, {"provenance", provenance},
-          {"pipelines", pipelines},    {"datasets", datasets}};
+          {"complete", info.complete}, {"salvaged", info.salvaged},
+          {"provenance", provenance},  {"pipelines", pipelines},
+          {"datasets", datasets}};
 }
 
 std::string jsonText(const Json& json) {

@@ -25,7 +25,7 @@ std::string shapeText(const std::vector<unsigned long long>& shape) {
 void printText(const ResultInfo& info) {
   std::cout << info.title << "\n"
             << info.format << ", version " << info.format_version << (info.complete ? "" : ", not complete")
-            << "\n\n"
+            << (info.salvaged ? ", salvaged from a run that did not finish" : "") << "\n\n"
             << resultTable(info.pipelines) << "\nprovenance\n";
   for (const auto& [name, value] : info.provenance)
     std::cout << "  " << std::left << std::setw(18) << name << value << "\n";

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 struct RunOptions {
   ScenarioOptions scenarios;
   std::string output;
-  bool force = false;
+  OutputRules rules;
   bool json = false;
   int slots = 1;
 };
@@ -49,7 +49,7 @@ std::vector<Experiment> prepare(const RunOptions& options) {
   experiments.reserve(checked.size());
   for (CheckedScenario& scenario : checked) {
     const fs::path output = outputOf(options, scenario);
-    experiments.emplace_back(std::move(scenario), output, options.force);
+    experiments.emplace_back(std::move(scenario), output, options.rules);
   }
   return experiments;
 }
@@ -57,6 +57,8 @@ std::vector<Experiment> prepare(const RunOptions& options) {
 void printText(const std::vector<Experiment>& experiments) {
   for (const Experiment& experiment : experiments) {
     const std::string& name = experiment.checked().loaded.scenario.name;
+    for (const fs::path& part : experiment.keptParts())
+      std::cout << "part: " << part.string() << " (for fissure salvage)\n";
     if (!experiment.error().empty()) {
       std::cerr << experiment.error() << "\n";
       continue;
@@ -73,9 +75,12 @@ void printText(const std::vector<Experiment>& experiments) {
 
 void printJson(const std::vector<Experiment>& experiments, int code) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
-  for (const Experiment& experiment : experiments)
+  nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+  for (const Experiment& experiment : experiments) {
     if (experiment.info()) results.push_back(resultJson(experiment.output(), *experiment.info()));
-  std::cout << jsonText({{"exit_code", code}, {"results", results}});
+    for (const fs::path& part : experiment.keptParts()) parts.push_back(part.string());
+  }
+  std::cout << jsonText({{"exit_code", code}, {"results", results}, {"kept_parts", parts}});
 }
 
 int runScenarios(const RunOptions& options, const std::string& command_line) {
@@ -100,7 +105,9 @@ Verb addRun(CLI::App& app, const std::string& command_line) {
   addScenarioOptions(*command, options->scenarios);
   command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
       ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); });
-  command->add_flag("--force", options->force, "replace an existing result");
+  command->add_flag("--force", options->rules.replace, "replace an existing result");
+  command->add_flag("--keep-parts", options->rules.keep_parts,
+                    "keep what unfinished runs have written, as <result>.<run>.part, for salvage");
   command
       ->add_option("-j,--jobs", options->slots,
                    "runs side by side; more than one disturbs the measured times")

@@ -48,13 +48,15 @@ std::vector<Path> resolveLogs(Scenario& scenario, const YamlNode& root) {
   return logs;
 }
 
-}  // namespace
+struct Parsed {
+  ComposedTree tree;
+  LoadedScenario loaded;  ///< without inputs and resolved text
+};
 
-LoadedScenario parseScenario(const std::string& text, const Path& file,
-                             const std::vector<Override>& overrides) {
-  ComposedTree tree = compose(text, file);
+Parsed parse(const std::string& text, const Path& file, const std::vector<Override>& overrides) {
+  Parsed parsed{compose(text, file), {}};
+  auto& [tree, loaded] = parsed;
   for (const Override& override : overrides) applyOverride(tree.root, override);
-  LoadedScenario loaded;
   loaded.source = text;
   loaded.scenario = readScenario(tree.root);
   loaded.scenario.directory = directoryOf(file);
@@ -64,9 +66,23 @@ LoadedScenario parseScenario(const std::string& text, const Path& file,
     failAt(locate(tree.root, first.path), first.path + " " + first.message);
   }
   for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults();
+  return parsed;
+}
+
+}  // namespace
+
+LoadedScenario parseScenario(const std::string& text, const Path& file,
+                             const std::vector<Override>& overrides) {
+  auto [tree, loaded] = parse(text, file, overrides);
   loaded.inputs = std::move(tree.bases);
   for (Path& log : resolveLogs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(log));
   loaded.resolved = toYaml(loaded.scenario);
+  return loaded;
+}
+
+LoadedScenario parseStoredScenario(const std::string& text) {
+  LoadedScenario loaded = parse(text, "scenario_resolved", {}).loaded;
+  loaded.resolved = text;
   return loaded;
 }
 

@@ -35,6 +35,10 @@ LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector
 LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
                              const std::vector<Override>& overrides = {});
 
+/// The scenario that a result or part file carries, from its text. The logs it names need not be here any
+/// more, and `inputs` is empty. Throws InputError, with `scenario_resolved` for the file.
+LoadedScenario parseStoredScenario(const std::string& text);
+
 /// The whole scenario, every default written out, numbers in the shortest form that reads back to the same
 /// double. loadScenario of this text gives an equal scenario.
 std::string toYaml(const Scenario& scenario);

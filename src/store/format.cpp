@@ -47,13 +47,13 @@ void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws) {
   }
 }
 
-hsize_t committedLength(hid_t time) {
+std::vector<double> committedTimes_s(hid_t time) {
   std::vector<double> times_s(h5::shapeOf(time).front());
   h5::check(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, times_s.data()),
             "cannot read the times");
   // A block whose length was on disk before its values reads as missing.
   while (!times_s.empty() && std::isnan(times_s.back())) times_s.pop_back();
-  return times_s.size();
+  return times_s;
 }
 
 }  // namespace fissure

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "base/record_sink.h"
 #include "scenario/pipelines.h"
@@ -13,6 +14,8 @@ namespace fissure {
 inline constexpr const char* result_format = "fissure-result";
 inline constexpr const char* part_format = "fissure-part";
 inline constexpr std::int32_t format_version = 1;
+/// The status of a run in its part until the worker finishes it.
+inline constexpr const char* incomplete_status = "incomplete";
 
 /// Attributes pipeline, description, precision, status and status_detail of a pipeline's group, in this
 /// order.
@@ -22,8 +25,8 @@ void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunSt
 /// have no legal UDUNITS form and stand beside them in words.
 void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws);
 
-/// How many rows of a growing axis count as written: those up to the last that has a time. `time` is a
-/// coordinate.
-hsize_t committedLength(hid_t time);
+/// The times of the rows of a growing axis that count as written: those up to the last that has a time.
+/// `time` is a coordinate.
+std::vector<double> committedTimes_s(hid_t time);
 
 }  // namespace fissure

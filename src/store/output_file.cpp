@@ -41,6 +41,7 @@ OutputFile OutputFile::openToChange(const std::filesystem::path& path) {
 
 std::optional<std::string> OutputFile::writeFailure() const {
   if (errors_->first_errno == 0) return std::nullopt;
+  if (errors_->cut_short) return "cannot write: somebody else has cut the file short";
   return std::string("cannot write: ") + std::strerror(errors_->first_errno);
 }
 

@@ -73,6 +73,7 @@ PartFile::PartFile(const std::filesystem::path& path, const PartHeader& header)
     h5::setAttribute(file_, "title", header.scenario.name);
     h5::setAttribute(file_, "format", std::string(part_format));
     h5::setAttribute(file_, "format_version", format_version);
+    h5::setAttribute(file_, "expected_rows", static_cast<std::int64_t>(header.expected_rows));
     const h5::Id provenance = h5::createGroup(file_, "provenance");
     h5::writeText(provenance, "scenario_resolved", header.scenario_resolved);
     makeDatasets(header);
@@ -93,7 +94,7 @@ PartFile::~PartFile() {
 void PartFile::makeDatasets(const PartHeader& header) {
   const h5::Id pipelines = h5::createGroup(file_, "pipelines");
   GroupBuilder group(pipelines, header.pipeline.name);
-  describePipeline(group.id(), header.pipeline, {"incomplete", ""});
+  describePipeline(group.id(), header.pipeline, {incomplete_status, ""});
   series_.emplace(group, header.layout, rowsInChunk(header.expected_rows));
   const RecordSettings& record = header.scenario.record;
   if (record.snapshots_every_s) {

@@ -18,7 +18,7 @@ struct PartHeader {
   const PipelineSettings& pipeline;  ///< the entry this part is the run of
   const Scene& scene;
   const RecordLayout& layout;          ///< with a series "time" of one real value a row
-  std::size_t expected_rows = 0;       ///< for chunk sizes only
+  std::size_t expected_rows = 0;       ///< for chunk sizes, and to say how much a torn part lacks; 0: unknown
   std::string scenario_resolved = {};  ///< kept in the part, so that it can be salvaged alone
   double flush_every_s =
       10.0;  ///< wall clock: a block is written before it is full when the last one is this old

@@ -18,7 +18,7 @@ using Lengths = std::map<std::string, hsize_t>;
 Lengths committedLengths(hid_t group) {
   Lengths lengths;
   for (const char* axis : {"time", "snapshot_time", "frame_time"}) {
-    if (h5::exists(group, axis)) lengths[axis] = committedLength(h5::openDataset(group, axis));
+    if (h5::exists(group, axis)) lengths[axis] = committedTimes_s(h5::openDataset(group, axis)).size();
   }
   return lengths;
 }
@@ -96,6 +96,10 @@ std::vector<std::pair<std::string, std::string>> PartReader::provenance() const 
   for (const std::string& name : h5::attributeNames(group))
     texts.emplace_back(name, h5::textAttribute(group, name));
   return texts;
+}
+
+std::vector<double> PartReader::times_s() const {
+  return committedTimes_s(h5::openDataset(group_, "time"));
 }
 
 void PartReader::copyTo(hid_t group, const h5::OutputFile& file) const {

@@ -20,6 +20,11 @@ class PartReader {
   /// What the worker says of itself: the texts of the part's /provenance.
   std::vector<std::pair<std::string, std::string>> provenance() const;
 
+  /// Of the rows of the record that count as written.
+  std::vector<double> times_s() const;
+  /// Of the whole run; 0: unknown.
+  long long expectedRows() const { return h5::integerAttribute(file_, "expected_rows", 0); }
+
   /// Copies datasets, subgroups and their attributes into `group`, but not the attributes of the pipeline's
   /// group itself, and cuts what a killed worker left unfinished: every growing axis ends at its last written
   /// time.

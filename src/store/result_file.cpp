@@ -112,7 +112,7 @@ void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vecto
 }
 
 void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const Provenance& provenance,
-                 const std::vector<PartResult>& parts) {
+                 const std::vector<PartResult>& parts, bool salvaged) {
   writeRoot(file, loaded, provenance);
   writeProvenance(file, loaded, provenance);
   {
@@ -121,6 +121,7 @@ void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const
     for (const PartResult& part : parts) writePipeline(file, pipelines, loaded.scenario.force, part, workers);
     workers.write(h5::openGroup(file, "provenance"));
   }
+  if (salvaged) h5::setAttribute(file, "salvaged", std::int32_t{1});
   h5::setAttribute(file, "complete", std::int32_t{1});
 }
 
@@ -135,14 +136,12 @@ void verify(const std::filesystem::path& path, std::size_t pipelines) {
   throw RunError("not all of it was written");
 }
 
-}  // namespace
-
-void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
-                    const Provenance& provenance, const std::vector<PartResult>& parts) {
+void assemble(const std::filesystem::path& path, const LoadedScenario& loaded, const Provenance& provenance,
+              const std::vector<PartResult>& parts, bool salvaged) {
   try {
     ReplacementFile replacement(path);
     try {
-      writeResult(replacement.file(), loaded, provenance, parts);
+      writeResult(replacement.file(), loaded, provenance, parts, salvaged);
     } catch (const RunError&) {
       // What HDF5 stumbled on after a failed write is no news.
       replacement.file().checkWritten();
@@ -154,6 +153,18 @@ void assembleResult(const std::filesystem::path& path, const LoadedScenario& loa
   } catch (const RunError& error) {
     throw RunError(path.string() + ": " + error.what());
   }
+}
+
+}  // namespace
+
+void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
+                    const Provenance& provenance, const std::vector<PartResult>& parts) {
+  assemble(path, loaded, provenance, parts, false);
+}
+
+void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& loaded,
+                      const Provenance& provenance, const PartResult& part) {
+  assemble(path, loaded, provenance, {part}, true);
 }
 
 std::string hdf5Version() {

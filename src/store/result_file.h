@@ -30,6 +30,10 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
                     const Provenance& provenance, const std::vector<PartResult>& parts);
 
+/// The same for one part whose run nobody finished; the file says so with `salvaged` = 1.
+void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& loaded,
+                      const Provenance& provenance, const PartResult& part);
+
 /// What the table at the end of `run` and `info` read.
 struct PipelineResult {
   std::string name;
@@ -50,6 +54,7 @@ struct ResultInfo {
   std::string format;
   int format_version = 0;
   bool complete = false;
+  bool salvaged = false;  ///< made by assembleSalvaged()
   Provenance provenance;
   std::string scenario_resolved;
   std::vector<PipelineResult> pipelines;

@@ -89,6 +89,7 @@ ResultInfo readInfo(const h5::Id& file) {
   checkFormat(file, info);
   info.title = h5::textAttribute(file, "title");
   info.complete = h5::integerAttribute(file, "complete", 0) == 1;
+  info.salvaged = h5::integerAttribute(file, "salvaged", 0) == 1;
   readProvenance(file, info);
   const h5::Id pipelines = h5::openGroup(file, "pipelines");
   for (const std::string& name : h5::childNames(pipelines))

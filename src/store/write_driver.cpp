@@ -35,6 +35,7 @@ struct OpenFile : H5FD_t {
   int descriptor = -1;
   haddr_t allocated_end = 0;
   haddr_t file_end = 0;
+  haddr_t disk_end = 0;  ///< how long the file on the disk is, unless somebody else changed it
   dev_t device = 0;
   ino_t inode = 0;
   DiskErrors* errors = nullptr;
@@ -76,6 +77,7 @@ H5FD_t* openFile(const char* name, unsigned flags, hid_t access, haddr_t) {
   }
   file->descriptor = descriptor;
   file->file_end = static_cast<haddr_t>(status.st_size);
+  file->disk_end = file->file_end;
   file->device = status.st_dev;
   file->inode = status.st_ino;
   file->errors = info->errors;
@@ -179,13 +181,25 @@ herr_t readBytes(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t address, std::size_t s
   return succeed;
 }
 
+void checkLength(OpenFile& open) {
+  struct stat status {};
+  if (::fstat(open.descriptor, &status) != 0) return open.remember(errno);
+  if (static_cast<haddr_t>(status.st_size) >= open.disk_end) return;
+  open.remember(EIO);
+  open.errors->cut_short = true;
+}
+
 herr_t writeBytes(H5FD_t* file, H5FD_mem_t kind, hid_t, haddr_t address, std::size_t size,
                   const void* buffer) {
   OpenFile& open = ours(file);
   const auto* from = static_cast<const char*>(buffer);
   open.file_end = std::max<haddr_t>(open.file_end, address + size);
+  if (!open.broken()) checkLength(open);
   if (!open.broken()) {
-    if (writeToDisk(open.descriptor, address, size, from)) return succeed;
+    if (writeToDisk(open.descriptor, address, size, from)) {
+      open.disk_end = std::max<haddr_t>(open.disk_end, address + size);
+      return succeed;
+    }
     open.remember(errno);
   }
   // HDF5 interprets what it reads back of its own structures, but never the values.
@@ -205,6 +219,7 @@ herr_t truncateFile(H5FD_t* file, hid_t, hbool_t) {
     open.remember(errno);
   }
   open.file_end = open.allocated_end;
+  open.disk_end = open.allocated_end;
   return succeed;
 }
 

@@ -1,0 +1,47 @@
+#include "store/salvage.h"
+
+#include <cstdio>
+#include <vector>
+
+#include "base/error.h"
+#include "store/format.h"
+#include "store/part_reader.h"
+#include "store/result_file.h"
+
+namespace fissure {
+
+namespace {
+
+/// Row 0 is the state before the first step.
+std::string reached(const std::vector<double>& times_s, long long expected_rows) {
+  std::string text = "up to step " + std::to_string(times_s.size() - 1);
+  if (expected_rows > 0) text += " of " + std::to_string(expected_rows - 1);
+  char time[64];
+  std::snprintf(time, sizeof time, " (t = %g s)", times_s.back());
+  return text + time + ", what came after was not on the disk yet";
+}
+
+}  // namespace
+
+PartContent inspectPart(const std::filesystem::path& path) {
+  const ResultInfo info = readResultInfo(path);
+  const std::string name = path.string();
+  if (info.format != part_format) throw InputError(name + ": a result, expected the part file of one run");
+  if (info.pipelines.size() != 1 || info.scenario_resolved.empty())
+    throw InputError(name + ": a part file without a run or its scenario, nothing can be salvaged");
+  const PipelineResult& run = info.pipelines.front();
+  PartContent content{run.name, info.scenario_resolved, run.status};
+  try {
+    const PartReader part(path, run.name);
+    const std::vector<double> times_s = part.times_s();
+    if (run.status.status != incomplete_status) return content;
+    if (times_s.empty())
+      throw InputError(name + ": stopped before its first block was written, nothing to salvage");
+    content.status = {"salvaged", reached(times_s, part.expectedRows())};
+  } catch (const RunError& error) {
+    throw InputError(name + ": a damaged part file (" + error.what() + ")");
+  }
+  return content;
+}
+
+}  // namespace fissure
