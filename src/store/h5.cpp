@@ -71,6 +71,9 @@ Id accessProperties() {
 
 Id openToRead(const std::filesystem::path& path) {
   const Id access = accessProperties();
+  // A reader's lock would keep a worker that goes on from finishing its part; results change only by
+  // renaming.
+  check(H5Pset_file_locking(access, false, true), "cannot prepare a file");
   const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (plain >= 0) return Id(plain, H5Fclose, "cannot open");
   // A killed writer leaves its SWMR mark in the file, and then only a SWMR reader is let in. Without the mark

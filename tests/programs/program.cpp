@@ -183,8 +183,8 @@ Outcome runTool(const Folder& folder, const std::vector<std::string>& words) {
   return Program(folder, words).wait();
 }
 
-bool endsSoon(pid_t process) {
-  for (int i = 0; i < 1000; ++i) {
+bool endsSoon(pid_t process, double most_s) {
+  for (int i = 0; i <= most_s / 0.005; ++i) {
     const std::vector<std::string> fields = statOf(process);
     if (fields.empty() || fields[0] == "Z") return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -74,8 +74,8 @@ Outcome runFissure(const Folder& folder, std::vector<std::string> words);
 /// Any other program, found on PATH.
 Outcome runTool(const Folder& folder, const std::vector<std::string>& words);
 
-/// True when `process` ends within five seconds; a zombie has ended.
-bool endsSoon(pid_t process);
+/// True when `process` ends within `most_s` seconds; a zombie has ended.
+bool endsSoon(pid_t process, double most_s = 5);
 
 /// A python3 that has `module`; empty when there is none.
 std::string pythonWith(const std::string& module);

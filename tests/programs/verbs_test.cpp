@@ -19,6 +19,7 @@ TEST(Verbs, HelpAndVersionAreGood) {
                                                                                      {"validate", "--help"},
                                                                                      {"list", "--help"},
                                                                                      {"info", "--help"},
+                                                                                     {"salvage", "--help"},
                                                                                      {"--version"}}) {
     const Outcome outcome = runFissure(folder, words);
     EXPECT_EQ(outcome.code, 0);

@@ -16,6 +16,7 @@
 #include "store/part_file.h"
 #include "store/read_series.h"
 #include "store/result_file.h"
+#include "store/salvage.h"
 
 namespace fissure {
 namespace {
@@ -162,6 +163,66 @@ TEST(Part, OldBlockIsWrittenBeforeItIsFull) {
     const ChildResult reader = runInChild([&] { return static_cast<int>(rowsOf(path)); });
     EXPECT_EQ(reader.code, flush_every_s == 0.0 ? 3 : 0) << reader.errors;
   }
+}
+
+// What is missing would otherwise become a hole of zeros under the next block.
+TEST(Part, CutShortBySomebodyElseIsARunError) {
+  const TemporaryFolder folder;
+  const SampleRun run = makeSampleRun(3000, true);
+  const auto path = folder / "default.part";
+  const auto part = openSamplePart(path, run, "default");
+  appendSamples(*part, run);
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
+  try {
+    part->finish({"ok", ""}, {});
+    FAIL();
+  } catch (const RunError& error) {
+    EXPECT_EQ(error.what(), path.string() + ": cannot write: somebody else has cut the file short");
+  }
+}
+
+TEST(Part, ReadersDoNotKeepItFromBeingFinished) {
+  const TemporaryFolder folder;
+  const SampleRun run = makeSampleRun(100, false);
+  const auto path = folder / "default.part";
+  writeSamplePart(path, run, "default");
+  const pid_t reader = ::fork();
+  while (reader == 0) {
+    try {
+      readResultInfo(path);
+    } catch (const InputError&) {  // just being begun
+    }
+  }
+  for (int trial = 0; trial < 50; ++trial) {
+    const auto part = openSamplePart(path, run, "default");
+    appendSamples(*part, run);
+    EXPECT_NO_THROW(part->finish({"ok", ""}, {})) << "trial " << trial;
+  }
+  ::kill(reader, SIGKILL);
+  ::waitpid(reader, nullptr, 0);
+}
+
+TEST(Salvage, SaysUpToWhichStep) {
+  const TemporaryFolder folder;
+  const SampleRun run = makeSampleRun(1000, false);
+  const auto path = folder / "default.part";
+  {
+    const auto part = openSamplePart(path, run, "default");
+    for (std::size_t row = 0; row < 3; ++row) part->append(sampleRow(run.layout, row));
+  }
+  const PartContent content = inspectPart(path);
+  EXPECT_EQ(content.pipeline, "default");
+  EXPECT_EQ(content.status.status, "salvaged");
+  EXPECT_EQ(content.status.detail, "up to step 2 of 999 (t = 1 s), what came after was not on the disk yet");
+  writeSamplePart(path, run, "default");
+  EXPECT_EQ(inspectPart(path).status.status, "ok") << "a finished run keeps its status";
+}
+
+TEST(Salvage, PartWithoutARowIsRefused) {
+  const TemporaryFolder folder;
+  const SampleRun run = makeSampleRun(1000, false);
+  openSamplePart(folder / "default.part", run, "default");
+  EXPECT_THROW(inspectPart(folder / "default.part"), InputError);
 }
 
 TEST(Part, RefusesWhatDoesNotFit) {

@@ -1,0 +1,232 @@
+// What a killed run had brought to the disk becomes a result; everything else is one line.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <csignal>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "program.h"
+#include "scenarios.h"
+#include "store/read_series.h"
+#include "store/result_file.h"
+
+namespace fissure::programs {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+// Two blocks of 2101 rows.
+const std::string long_scenario =
+    pressScenario("[{pipeline: fukuhara}]", "4.2",
+                  "force: [{name: hc, model: hunt_crossley}]\nrecord: {snapshots_every_s: 0.01}\n");
+
+/// Rows of a part that have their time; 0 when it cannot be read at this moment.
+std::size_t rowsOf(const fs::path& part) {
+  try {
+    const std::vector<double> times_s = readSeries(part, "/pipelines/fukuhara/time").values;
+    return times_s.empty() || std::isnan(times_s.back()) ? 0 : times_s.size();
+  } catch (const InputError&) {
+    return 0;
+  }
+}
+
+/// The part of `run` as soon as a block of rows is in it; "" when the run ends before.
+fs::path partWithABlock(const Folder& folder, const Program& run) {
+  const pid_t worker = run.waitForWorker();
+  while (!endsSoon(worker, 0.005))
+    for (const std::string& name : folder.names())
+      if (rowsOf(folder / name / "0.part") > 0) return folder / name / "0.part";
+  return {};
+}
+
+std::string only(const Names& names, const std::string& beginning) {
+  for (const std::string& name : names)
+    if (name.starts_with(beginning)) return name;
+  return "";
+}
+
+void expectRefused(const Folder& folder, const std::vector<std::string>& words, const std::string& fragment) {
+  const Outcome outcome = runFissure(folder, words);
+  EXPECT_EQ(outcome.code, 2) << fragment;
+  EXPECT_TRUE(isOneLine(outcome.err)) << outcome.err;
+  EXPECT_NE(outcome.err.find(fragment), std::string::npos) << outcome.err << "expected: " << fragment;
+}
+
+/// The salvaged file is the beginning of an undisturbed run, and says how far it goes.
+void expectBeginning(const Folder& folder, const std::string& salvaged) {
+  const ResultInfo info = readResultInfo(folder / salvaged);
+  EXPECT_TRUE(info.complete && info.salvaged);
+  EXPECT_EQ(info.format, "fissure-result");
+  ASSERT_EQ(info.pipelines.size(), 1u);
+  const RunStatus& status = info.pipelines[0].status;
+  EXPECT_EQ(status.status, "salvaged");
+  const std::string place = "/pipelines/fukuhara/";
+  const std::size_t rows = readSeries(folder / salvaged, place + "time").values.size();
+  ASSERT_EQ(rows, 2101u);
+  EXPECT_TRUE(status.detail.starts_with("up to step " + std::to_string(rows - 1) + " of 4200 (t = "))
+      << status.detail;
+  folder.write("again.yaml", info.scenario_resolved);
+  const std::string duration = std::to_string(static_cast<double>(rows - 1) * 0.001);
+  ASSERT_EQ(runFissure(folder, {"run", "again.yaml", "-o", "whole.h5", "--force", "--set",
+                                "time.duration_s=" + duration})
+                .code,
+            0);
+  for (const char* name : {"time", "penetration_depth", "contact_count", "force"})
+    EXPECT_EQ(readSeries(folder / salvaged, place + name).values,
+              readSeries(folder / "whole.h5", place + name).values)
+        << name;
+  const std::size_t snapshots = readSeries(folder / salvaged, place + "snapshot_time").values.size();
+  const SeriesData some = readSeries(folder / salvaged, place + "positions");
+  const SeriesData all = readSeries(folder / "whole.h5", place + "positions");
+  ASSERT_EQ(some.shape[0], snapshots);
+  EXPECT_LE(some.values.size(), all.values.size());
+  EXPECT_TRUE(std::equal(some.values.begin(), some.values.end(), all.values.begin()));
+}
+
+TEST(Salvage, PartOfAKilledFront) {
+  const Folder folder;
+  folder.write("s.yaml", long_scenario);
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  const fs::path part = partWithABlock(folder, run);
+  ASSERT_FALSE(part.empty());
+  const pid_t worker = run.waitForWorker();
+  run.send(SIGKILL);
+  run.wait();
+  EXPECT_TRUE(endsSoon(worker));
+  const std::string name = (part.parent_path().filename() / "0.part").string();
+  const Outcome salvaged = runFissure(folder, {"salvage", name});
+  ASSERT_EQ(salvaged.code, 0) << salvaged.err;
+  EXPECT_NE(salvaged.out.find("fukuhara: salvaged: up to step "), std::string::npos) << salvaged.out;
+  EXPECT_NE(salvaged.out.find("result: results/press.fukuhara.salvaged.h5\n"), std::string::npos);
+  expectBeginning(folder, "results/press.fukuhara.salvaged.h5");
+  const std::string shown = runFissure(folder, {"info", "results/press.fukuhara.salvaged.h5"}).out;
+  EXPECT_NE(shown.find("fissure-result, version 1, salvaged from a run that did not finish\n"),
+            std::string::npos)
+      << shown;
+  // Salvaging under the run's own name removes no part; the next run does.
+  EXPECT_EQ(runFissure(folder, {"salvage", name, "-o", "out.h5"}).code, 0);
+  EXPECT_TRUE(fs::exists(part));
+  expectRefused(folder, {"salvage", name, "-o", "out.h5"},
+                "out.h5: exists already, expected a new name or --force");
+  EXPECT_EQ(runFissure(folder, {"salvage", name, "-o", "out.h5", "--force"}).code, 0);
+  EXPECT_EQ(
+      runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--force", "--set", "time.duration_s=0.01"}).code,
+      0);
+  EXPECT_EQ(only(folder.names(), "."), "") << "parts and lock are gone";
+}
+
+TEST(Salvage, KeptPartOfAKilledWorker) {
+  const Folder folder;
+  folder.write("s.yaml", long_scenario);
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5", "--keep-parts", "--json"});
+  ASSERT_FALSE(partWithABlock(folder, run).empty());
+  ::kill(run.waitForWorker(), SIGKILL);
+  const Outcome outcome = run.wait();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(nlohmann::json::parse(outcome.out).at("kept_parts"), nlohmann::json({"out.h5.fukuhara.part"}));
+  EXPECT_EQ(folder.names(), (Names{"out.h5", "out.h5.fukuhara.part", "s.yaml"}));
+  EXPECT_EQ(readResultInfo(folder / "out.h5").pipelines.at(0).status.status, "crashed");
+  EXPECT_EQ(runFissure(folder, {"salvage", "out.h5.fukuhara.part", "-o", "salvaged.h5"}).code, 0);
+  expectBeginning(folder, "salvaged.h5");
+  expectRefused(folder, {"salvage", "out.h5.fukuhara.part", "-o", "out.h5.fukuhara.part", "--force"},
+                "out.h5.fukuhara.part: is the part itself");
+  // A later attempt that succeeds needs the part no more.
+  EXPECT_EQ(
+      runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--force", "--set", "time.duration_s=0.01"}).code,
+      0);
+  EXPECT_FALSE(fs::exists(folder / "out.h5.fukuhara.part"));
+}
+
+TEST(Salvage, StoppedRunKeepsItsPartOnRequestOnly) {
+  const Folder folder;
+  folder.write("s.yaml", long_scenario);
+  for (const bool keep : {false, true}) {
+    std::vector<std::string> words = {fissureProgram(), "run", "s.yaml", "-o", "out.h5"};
+    if (keep) words.push_back("--keep-parts");
+    Program run(folder, words);
+    ASSERT_FALSE(partWithABlock(folder, run).empty());
+    run.send(SIGTERM);
+    const Outcome outcome = run.wait();
+    EXPECT_EQ(outcome.code, 130);
+    EXPECT_EQ(outcome.out.find("part: out.h5.fukuhara.part (for fissure salvage)\n") != std::string::npos,
+              keep);
+    EXPECT_EQ(folder.names(), keep ? (Names{"out.h5.fukuhara.part", "s.yaml"}) : Names{"s.yaml"});
+  }
+  EXPECT_EQ(runFissure(folder, {"salvage", "out.h5.fukuhara.part", "-o", "salvaged.h5"}).code, 0);
+}
+
+// A part whose log is gone: its scenario is read without it.
+TEST(Salvage, NeedsNoneOfTheInputs) {
+  const Folder folder;
+  const std::string script =
+      "type: script\n      start_m: [0, 0.062, 0]\n      segments:\n        - {move_to_m: [0, 0.052, 0], "
+      "speed_m_s: 0.5}\n";
+  folder.write("s.yaml", with(long_scenario, script,
+                              "{type: replay, file: log.csv, time_column: t, position_columns: [x, y, z], "
+                              "position_unit: m}\n"));
+  folder.write("log.csv", "t,x,y,z\n0,0,0.062,0\n0.02,0,0.052,0\n4.2,0,0.052,0\n");
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  const fs::path part = partWithABlock(folder, run);
+  ASSERT_FALSE(part.empty());
+  run.send(SIGKILL);
+  run.wait();
+  fs::rename(part, folder / "a.part");
+  fs::remove(folder / "s.yaml");
+  fs::remove(folder / "log.csv");
+  const Outcome salvaged = runFissure(folder, {"salvage", "a.part", "-o", "salvaged.h5"});
+  EXPECT_EQ(salvaged.code, 0) << salvaged.err;
+}
+
+TEST(Salvage, RefusesWhatItCannotUse) {
+  const Folder folder;
+  folder.write("s.yaml", endlessScenario());
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  ASSERT_GT(run.waitForWorker(), 0);
+  while (only(folder.names(), ".out.h5.") == "" ||
+         !fs::exists(folder / only(folder.names(), ".out.h5.") / "0.part")) {
+  }
+  run.send(SIGKILL);
+  run.wait();
+  folder.write("text.part", "no part\n");
+  folder.write("empty.part", "");
+  ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "whole.h5", "--set", "time.duration_s=0.01"}).code, 0);
+  expectRefused(folder, {"salvage", "none.part"}, "none.part: no such file");
+  expectRefused(folder, {"salvage", "."}, ".: not a file, expected a fissure result");
+  expectRefused(folder, {"salvage", "text.part"}, "text.part: not an HDF5 file");
+  expectRefused(folder, {"salvage", "empty.part"}, "empty.part: not an HDF5 file");
+  expectRefused(folder, {"salvage", "whole.h5"}, "whole.h5: a result, expected the part file of one run");
+  expectRefused(folder, {"salvage"}, "PART is required");
+  EXPECT_FALSE(fs::exists(folder / "results"));
+}
+
+// Every place of the file, cut or overwritten: a result or one line, never a crash.
+TEST(Salvage, DamagedPartsAreAResultOrOneLine) {
+  const Folder folder;
+  folder.write("s.yaml", long_scenario);
+  Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
+  const fs::path part = partWithABlock(folder, run);
+  ASSERT_FALSE(part.empty());
+  run.send(SIGKILL);
+  run.wait();
+  const std::string whole = folder.read(fs::relative(part, folder.path()).string());
+  int refused = 0;
+  for (std::size_t i = 0; i < 40; ++i) {
+    std::string damaged = whole;
+    const std::size_t at = i < 30 ? i * 1000 : whole.size() / 10 * (i - 30);
+    if (i % 2 == 0)
+      damaged.replace(at, 64, std::string(64, '\xff'));
+    else
+      damaged.resize(at);
+    folder.write("damaged.part", damaged);
+    const Outcome outcome = runFissure(folder, {"salvage", "damaged.part", "-o", "salvaged.h5", "--force"});
+    EXPECT_TRUE(outcome.code == 0 || (outcome.code == 2 && isOneLine(outcome.err)))
+        << at << ": exit " << outcome.code << ", signal " << outcome.signal << ", " << outcome.err;
+    refused += outcome.code == 2;
+  }
+  EXPECT_GT(refused, 15) << "the damage did not bite";
+}
+
+}  // namespace
+}  // namespace fissure::programs
