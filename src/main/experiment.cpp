@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "base/error.h"
+#include "main/try_reading.h"
 #include "process/engine_program.h"
 #include "store/salvage.h"
 
@@ -39,6 +40,7 @@ std::string without(std::string text, const fs::path& folder) {
 /// What a worker that ended well says about its run.
 RunStatus statusIn(const fs::path& part, const std::string& name) {
   try {
+    tryReading(part, [&] { inspectPart(part); });
     for (const PipelineResult& result : readResultInfo(part).pipelines)
       if (result.name == name && (result.status.status == "ok" || result.status.status == "non_finite"))
         return result.status;
@@ -154,6 +156,7 @@ void Experiment::keepPart(std::size_t index, const fs::path& name) {
   }
   if (!keep_parts_) return;
   try {
+    tryReading(partOf(index), [&] { inspectPart(partOf(index)); });
     inspectPart(partOf(index));
   } catch (const InputError&) {
     return;  // nothing in it

@@ -5,6 +5,7 @@
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
+#include "main/try_reading.h"
 #include "main/verbs.h"
 
 namespace fissure {
@@ -40,6 +41,7 @@ void printText(const ResultInfo& info) {
 }
 
 int showResult(const InfoOptions& options) {
+  tryReading(options.file, [&] { readResultInfo(options.file); });
   const ResultInfo info = readResultInfo(options.file);
   if (options.json)
     std::cout << jsonText(resultJson(options.file, info));

@@ -7,6 +7,7 @@
 #include "main/output_slot.h"
 #include "main/provenance.h"
 #include "main/result_table.h"
+#include "main/try_reading.h"
 #include "main/verbs.h"
 #include "store/salvage.h"
 
@@ -44,6 +45,7 @@ fs::path outputOf(const SalvageOptions& options, const LoadedScenario& loaded) {
 }
 
 int salvage(const SalvageOptions& options, const std::string& command_line) {
+  tryReading(options.part, [&] { inspectPart(options.part); });
   const PartContent content = inspectPart(options.part);
   const LoadedScenario loaded = scenarioOf(content, options.part);
   const fs::path output = outputOf(options, loaded);

@@ -74,6 +74,9 @@ Id openToRead(const std::filesystem::path& path) {
   // A reader's lock would keep a worker that goes on from finishing its part; results change only by
   // renaming.
   check(H5Pset_file_locking(access, false, true), "cannot prepare a file");
+  // What a writer has not finished is read again, after a pause that doubles: HDF5's own 100 attempts would
+  // wait for years on damaged structures, these for a millisecond.
+  check(H5Pset_metadata_read_attempts(access, 20), "cannot prepare a file");
   const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (plain >= 0) return Id(plain, H5Fclose, "cannot open");
   // A killed writer leaves its SWMR mark in the file, and then only a SWMR reader is let in. Without the mark
