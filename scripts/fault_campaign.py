@@ -80,6 +80,7 @@ class Trial:
         environment = dict(os.environ, **({"FISSURE_ENGINE_DIR": str(engines)} if engines else {}))
 
         def limit():
+            signal.signal(signal.SIGINT, signal.SIG_DFL)  # a shell's background jobs inherit it ignored
             if file_bytes:
                 resource.setrlimit(resource.RLIMIT_FSIZE, (file_bytes, file_bytes))
 
@@ -436,7 +437,8 @@ outside timing/ and provenance, and left nothing else.
 """
 TAIL = """
 Not noticed: values of a part that somebody overwrites in place, because they carry no check sums (its structures do), and values overwritten
-in a finished result.
+in a finished result. HDF5 1.10 can crash while it copies a part whose inner structures were overwritten; no file stands under a final name
+then.
 """
 
 

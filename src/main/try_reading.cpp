@@ -18,7 +18,7 @@ namespace fissure {
 namespace {
 
 /// Of processor time: a slow disk is no loop.
-constexpr rlim_t most_s = 5;
+constexpr rlim_t most_s = 3;
 
 [[noreturn]] void readAndEnd(const std::function<void()>& read) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
