@@ -64,6 +64,9 @@ Id accessProperties() {
   // SWMR needs the 1.10 format. A file system without locks is no reason to refuse a file.
   check(H5Pset_libver_bounds(access, H5F_LIBVER_V110, H5F_LIBVER_V110), "cannot prepare a file");
   check(H5Pset_file_locking(access, true, true), "cannot prepare a file");
+  // What a writer has not finished is read again, after a pause that doubles: HDF5's own 100 attempts would
+  // wait for years on damaged structures, these for a millisecond.
+  check(H5Pset_metadata_read_attempts(access, 20), "cannot prepare a file");
   // What a full disk keeps from closing must not keep the file open.
   check(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "cannot prepare a file");
   return access;
@@ -74,9 +77,6 @@ Id openToRead(const std::filesystem::path& path) {
   // A reader's lock would keep a worker that goes on from finishing its part; results change only by
   // renaming.
   check(H5Pset_file_locking(access, false, true), "cannot prepare a file");
-  // What a writer has not finished is read again, after a pause that doubles: HDF5's own 100 attempts would
-  // wait for years on damaged structures, these for a millisecond.
-  check(H5Pset_metadata_read_attempts(access, 20), "cannot prepare a file");
   const hid_t plain = H5Fopen(path.c_str(), H5F_ACC_RDONLY, access);
   if (plain >= 0) return Id(plain, H5Fclose, "cannot open");
   // A killed writer leaves its SWMR mark in the file, and then only a SWMR reader is let in. Without the mark
