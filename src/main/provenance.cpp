@@ -126,7 +126,7 @@ Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& co
   return {{"version", build.version},
           {"commit", build.commit},
           {"dirty", build.dirty ? "true" : "false"},
-          {"scenario_hash", hashText(loaded.resolved)},
+          {"scenario_hash", "fnv1a64:" + fnv1a64(loaded.resolved)},
           {"command_line", command_line},
           {"hdf5_version", hdf5Version()},
           {"yaml_cpp_version", build.yaml_cpp_version}};
