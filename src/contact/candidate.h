@@ -14,8 +14,8 @@ struct ContactConstraint {
   std::array<double, 3> weights{};  ///< barycentric coordinates of the tissue point, sum 1
   Vec3 position_m;                  ///< of the tool point, scene frame, end of the step
   Vec3 normal;                      ///< unit, scene frame
+  int tool = 0;                     ///< whose point it is
   double target_m = 0;  ///< least distance of the tissue point in front of the tool point, along normal
-  int tool = 0;
 };
 
 /// A contact that a tool node's ray proposes (step one of the method) and node association judges (step two).

@@ -1,6 +1,7 @@
 #include "contact/node_rays.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace fissure {
 
@@ -13,6 +14,12 @@ double extentOf(const TriangleMesh& mesh) {
     high = high.cwiseMax(v);
   }
   return (high - low).maxCoeff();
+}
+
+Vec3 pointOf(const SurfaceHit& hit, const Face& face, std::span<const Vec3> positions_m) {
+  Vec3 point_m = Vec3::Zero();
+  for (int j = 0; j < 3; ++j) point_m += hit.at.weights[j] * positions_m[face[j]];
+  return point_m;
 }
 
 }  // namespace
@@ -37,43 +44,85 @@ NodeRays::NodeRays(const Scene& scene, std::vector<double> margins_m, std::optio
   }
 }
 
+void NodeRays::Body::noteTravel(std::span<const Vec3> positions_m, std::span<const Vec3> before_m) {
+  mean_travel_m = Vec3::Zero();
+  double largest_squared = 0;
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    const Vec3 travel_m = positions_m[v] - before_m[v];
+    mean_travel_m += travel_m;
+    largest_squared = std::max(largest_squared, travel_m.squaredNorm());
+  }
+  mean_travel_m /= static_cast<double>(positions_m.size());
+  largest_travel_m = std::sqrt(largest_squared);
+}
+
 void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
                     const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
                     std::vector<NodeCandidate>& candidates) {
   Body& body = bodies_[body_index];
   const auto body_positions_m = positions_m.subspan(body.first_vertex, body.vertex_count);
+  const auto body_before_m = before_m.subspan(body.first_vertex, body.vertex_count);
   body.tree.refit(body_positions_m);
+  body.noteTravel(body_positions_m, body_before_m);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
     const Pose& pose = tools_now[node.tool].pose;
-    const Vec3 position_m = pose.toScene(node.position_m);
-    const Vec3 normal = pose.rotateToScene(node.normal);
-    const Vec3 start_m = position_m + body.margin_m * normal;
-    if (!body.tree.boxHolds(start_m)) continue;  // outside the body: its first hit could only enter
-
-    const Vec3 travel_m = position_m - tools_before[node.tool].pose.toScene(node.position_m);
-    const double length_m = std::max(ray_length_m_.value_or(body.extent_m), travel_m.norm()) + body.margin_m;
-    ++rays_;
-    const auto hit = body.tree.firstHit(Ray(start_m, -normal, length_m), body_positions_m, tests_);
-    if (!hit || hit->at.cosine < 0) continue;
+    const Path path{.from_m = tools_before[node.tool].pose.toScene(node.position_m),
+                    .to_m = pose.toScene(node.position_m),
+                    .normal = pose.rotateToScene(node.normal)};
+    std::optional<SurfaceHit> hit = hitBehind(body, path, body_positions_m);
+    if (!hit) hit = hitOnPath(body, path, body_positions_m, body_before_m);
+    if (!hit) continue;
 
     NodeCandidate candidate{.node = static_cast<int>(i), .body = body_index, .face = hit->face};
     candidate.constraint = {.vertices = body.faces[hit->face],
                             .weights = hit->at.weights,
-                            .position_m = position_m,
-                            .normal = normal,
-                            .target_m = body.margin_m,
-                            .tool = node.tool};
-    Vec3 tissue_travel_m = Vec3::Zero();
-    for (int j = 0; j < 3; ++j) {
-      int& vertex = candidate.constraint.vertices[j];
-      vertex += body.first_vertex;
-      tissue_travel_m += hit->at.weights[j] * (positions_m[vertex] - before_m[vertex]);
-    }
-    candidate.depth_m = hit->at.distance_m - body.margin_m;
-    candidate.approach_m = (travel_m - tissue_travel_m).dot(normal);
+                            .position_m = path.to_m,
+                            .normal = path.normal,
+                            .tool = node.tool,
+                            .target_m = body.margin_m};
+    const Face& face = body.faces[hit->face];
+    const Vec3 point_m = pointOf(*hit, face, body_positions_m);
+    const Vec3 tissue_travel_m = point_m - pointOf(*hit, face, body_before_m);
+    for (int& vertex : candidate.constraint.vertices) vertex += body.first_vertex;
+    candidate.depth_m = (path.to_m - point_m).dot(path.normal);
+    candidate.approach_m = (path.to_m - path.from_m - tissue_travel_m).dot(path.normal);
     candidates.push_back(candidate);
   }
+}
+
+// Back into the tool and out behind it. Only an exit tells that the ray began inside the tissue.
+std::optional<SurfaceHit> NodeRays::hitBehind(const Body& body, const Path& path,
+                                              std::span<const Vec3> positions_m) {
+  const Vec3 start_m = path.to_m + body.margin_m * path.normal;
+  if (!body.tree.boxHolds(start_m)) return std::nullopt;  // outside the body: its first hit could only enter
+  const double travel_m = (path.to_m - path.from_m).norm();
+  const double length_m = std::max(ray_length_m_.value_or(body.extent_m), travel_m) + body.margin_m;
+  ++rays_;
+  const auto hit = body.tree.firstHit(Ray(start_m, -path.normal, length_m), positions_m, tests_);
+  return hit && hit->at.cosine > 0 ? hit : std::nullopt;
+}
+
+// The way of the step as the tissue saw it: its start is carried along with the tissue, first with the whole
+// body, then with the triangle that this finds. Counts where the node's face leads into the surface.
+std::optional<SurfaceHit> NodeRays::hitOnPath(const Body& body, const Path& path,
+                                              std::span<const Vec3> positions_m,
+                                              std::span<const Vec3> before_m) {
+  if ((path.to_m - path.from_m).norm() + body.largest_travel_m <= body.margin_m) return std::nullopt;
+  Vec3 carried_m = body.mean_travel_m;
+  std::optional<SurfaceHit> hit;
+  for (int pass = 0; pass < 2; ++pass) {
+    const Vec3 start_m = path.from_m + carried_m;
+    const Vec3 way_m = path.to_m - start_m;
+    const double length_m = way_m.norm();
+    if (!(length_m > body.margin_m) || !(way_m.dot(path.normal) > 0)) return std::nullopt;
+    ++rays_;
+    hit = body.tree.firstHit(Ray(start_m, way_m / length_m, length_m), positions_m, tests_);
+    if (!hit || hit->at.cosine > 0) return std::nullopt;
+    const Face& face = body.faces[hit->face];
+    carried_m = pointOf(*hit, face, positions_m) - pointOf(*hit, face, before_m);
+  }
+  return hit;
 }
 
 }  // namespace fissure

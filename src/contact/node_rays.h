@@ -13,7 +13,9 @@ namespace fissure {
 
 /// Step one of the method, node ray casting: from a margin in front of each node a ray runs back into the
 /// tool and out behind it. The first triangle of a body that it meets tells whether it started inside that
-/// body, and how far behind the node the tissue's surface lies (METHOD section 3).
+/// body, and how far behind the node the tissue's surface lies (METHOD section 3). A node that went right
+/// through and out again in one step has no such triangle: then its path in the step, relative to the
+/// tissue's, is cast, and the surface it went in through counts.
 class NodeRays {
  public:
   /// margins_m: one a body, how far in front of a node tissue is held. ray_length_m: no value: each body's
@@ -28,7 +30,9 @@ class NodeRays {
 
   int bodyCount() const { return static_cast<int>(bodies_.size()); }
   int firstFace(int body) const { return bodies_[body].first_face; }
-  long long rays() const { return rays_; }    ///< cast so far; a node outside the body's box needs none
+  /// Cast so far; a node outside the body's box needs none but for its path, and that only where node and
+  /// tissue moved more than a margin.
+  long long rays() const { return rays_; }
   long long tests() const { return tests_; }  ///< ray-triangle tests so far
 
  private:
@@ -38,11 +42,24 @@ class NodeRays {
     int first_vertex = 0, first_face = 0, vertex_count = 0;
     double extent_m = 0;
     double margin_m = 0;
+    Vec3 mean_travel_m = Vec3::Zero();  ///< of the vertices in this step
+    double largest_travel_m = 0;
+
+    void noteTravel(std::span<const Vec3> positions_m, std::span<const Vec3> before_m);
   };
   struct Node {
     int tool = 0;
     Vec3 position_m, normal;  ///< tool frame
   };
+
+  /// A node in this step, scene frame.
+  struct Path {
+    Vec3 from_m, to_m, normal;
+  };
+
+  std::optional<SurfaceHit> hitBehind(const Body& body, const Path& path, std::span<const Vec3> positions_m);
+  std::optional<SurfaceHit> hitOnPath(const Body& body, const Path& path, std::span<const Vec3> positions_m,
+                                      std::span<const Vec3> before_m);
 
   std::optional<double> ray_length_m_;
   std::vector<Body> bodies_;

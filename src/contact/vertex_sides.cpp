@@ -73,8 +73,8 @@ void VertexSides::find(std::span<const Vec3> positions_m, std::span<const Vec3> 
                              .weights = {1, 0, 0},
                              .position_m = now.toScene(face_point_m),
                              .normal = now.rotateToScene(sign * Vec3::Unit(axis)),
-                             .target_m = margins_m_[v],
-                             .tool = box.tool});
+                             .tool = box.tool,
+                             .target_m = margins_m_[v]});
     }
   }
 }

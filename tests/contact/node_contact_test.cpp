@@ -108,6 +108,53 @@ TEST_F(NodeContactTest, ThinBladeDeepInside_OnlyTheLeadingSideActs) {
   EXPECT_EQ(upper(NodeState::infeasible), 9);
 }
 
+// From 10 mm above the cube to 10 mm below it in one step: behind the blade there is no tissue that it is in.
+TEST_F(NodeContactTest, ABladeThatJumpsRightThroughStillFindsTheSurfaceItWentInThrough) {
+  build(0.002);
+  moveTo(0.040);
+  moveTo(-0.040);
+  EXPECT_EQ(lower(NodeState::feasible), 9);
+  EXPECT_EQ(state.contact_count, 9);
+  EXPECT_EQ(state.capped_count, 0) << "the step brought all of it";
+  EXPECT_GT(state.reaction_on_tool_N.y(), 0);
+  // Half-way between the ends of its diagonal the cube's top now lies in front of the node in the middle.
+  double lowest = 1;
+  for (int v = 0; v < 8; ++v) {
+    for (int w = 0; w < v; ++w) {
+      const Vec3 at_rest_m = scene.bodies[0].rest.vertices_m[v] + scene.bodies[0].rest.vertices_m[w];
+      if (at_rest_m.isApprox(Vec3(0, 0.060, 0)))
+        lowest = std::min(lowest, 0.5 * (positions[v] + positions[w]).y());
+    }
+  }
+  EXPECT_LE(lowest, -0.041 - kMargin_m + 1e-6);
+}
+
+// The same seen from the blade: it rests, and the cube flies through it.
+TEST_F(NodeContactTest, TissueThatJumpsThroughABladeAtRestIsFoundToo) {
+  build(0.002);
+  moveTo(0.040);
+  for (Vec3& p : positions) p.y() += 0.080;
+  moveTo(0.040);
+  EXPECT_EQ(lower(NodeState::feasible), 9);
+  EXPECT_EQ(state.contact_count, 9);
+}
+
+// Blade and cube together, 80 mm in a step, 10 mm apart: nothing met.
+TEST_F(NodeContactTest, TravellingTogetherIsNoContact) {
+  build(0.002);
+  moveTo(0.040);
+  for (Vec3& p : positions) p.y() -= 0.080;
+  moveTo(-0.040);
+  EXPECT_EQ(state.candidate_count, 0);
+}
+
+TEST_F(NodeContactTest, PassingBesideTheTissueInOneStepIsNoContact) {
+  build(0.002);
+  moveTo(0.040, 0.045);
+  moveTo(-0.040, 0.045);  // 5 mm beside the cube
+  EXPECT_EQ(state.candidate_count, 0);
+}
+
 TEST_F(NodeContactTest, WithoutAssociationBothSidesActAtOnce) {
   build(0.002, {.association = false});
   moveTo(0.040);
