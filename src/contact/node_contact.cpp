@@ -10,7 +10,12 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
       associations_(settings_.association ? scene.bodies.size() : 0, NodeAssociation(scene)),
       displacement_(scene.vertexCount(), settings_.sweeps),
       node_count_(scene.nodeCount()) {
-  if (settings_.vertex_contacts) vertex_sides_.emplace(scene, settings_.margins_m);
+  if (settings_.vertex_contacts) {
+    vertex_sides_.emplace(scene, settings_.margins_m);
+    rim_edges_.emplace(scene, settings_.margins_m);
+  }
+  if (settings_.response == ContactResponse::momentum)
+    impulses_.emplace(scene.vertexCount(), settings_.sweeps);
   for (const SceneBody& body : scene.bodies) {
     before_m_.insert(before_m_.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
   }
@@ -28,11 +33,26 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
   }
   node_constraints_ = constraints_.size();
   if (vertex_sides_) vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, constraints_);
+  if (rim_edges_) rim_edges_->find(positions_m, before_m_, tools_now, tools_before, constraints_);
   if (patch.tools.size() > 1) noteDisplacements(positions_m);
-  displacement_.apply(constraints_, inverse_masses, positions_m);
+  state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
   report(state, patch);
-  state.reaction_on_tool_N = -displacement_.movedMass(inverse_masses, positions_m) / (dt_s * dt_s);
   std::copy(positions_m.begin(), positions_m.end(), before_m_.begin());
+}
+
+std::span<const Vec3> NodeContact::motion_m() const {
+  return impulses_ ? impulses_->motion_m() : std::span<const Vec3>();
+}
+
+Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
+                          const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
+                          double dt_s) {
+  if (impulses_) {
+    impulses_->apply(constraints_, inverse_masses, tools_before, tools_now, before_m_, positions_m);
+    return -impulses_->total() / (dt_s * dt_s);
+  }
+  displacement_.apply(constraints_, inverse_masses, positions_m);
+  return -displacement_.movedMass(inverse_masses, positions_m) / (dt_s * dt_s);
 }
 
 void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,

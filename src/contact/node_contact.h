@@ -6,18 +6,28 @@
 
 #include "base/scene.h"
 #include "base/state.h"
+#include "contact/contact_impulses.h"
 #include "contact/contact_patch.h"
 #include "contact/enforced_displacement.h"
 #include "contact/node_association.h"
 #include "contact/node_rays.h"
+#include "contact/rim_edges.h"
 #include "contact/vertex_sides.h"
 
 namespace fissure {
 
+/// What contacts do to the tissue's momentum.
+enum class ContactResponse {
+  none,      ///< nothing: tissue is displaced (the paper)
+  momentum,  ///< velocities follow the displacement (ContactImpulses)
+};
+
 struct NodeContactSettings {
-  bool association = true;       ///< false: ray casting only, step one without step two (paper, Fig. 3 right)
-  bool vertex_contacts = false;  ///< also hold tissue vertices that slip in between the nodes (VertexSides)
-  int sweeps = 10;               ///< Gauss-Seidel sweeps of enforced displacement
+  bool association = true;  ///< false: ray casting only, step one without step two (paper, Fig. 3 right)
+  /// Also hold tissue that slips in between the nodes: vertices (VertexSides) and edges (RimEdges).
+  bool vertex_contacts = false;
+  ContactResponse response = ContactResponse::none;
+  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts
   std::optional<double> ray_length_m =
       {};                             ///< default: each body's extent, at least the node's travel in the step
   double max_displacement_m = 0.005;  ///< of tissue at a node, beyond the approach of the step itself
@@ -25,7 +35,7 @@ struct NodeContactSettings {
 };
 
 /// The collision method of the paper on plain arrays: node ray casting, feasibility by node association,
-/// feasible enforced displacement (METHOD sections 3 to 5). One object belongs to one run.
+/// enforced displacement with or without momentum (METHOD sections 3 to 5). One object belongs to one run.
 class NodeContact {
  public:
   NodeContact(const Scene& scene, NodeContactSettings settings);
@@ -37,12 +47,20 @@ class NodeContact {
             const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now, double dt_s,
             State& state, ContactPatch& patch);
 
+  /// The share of each vertex's displacement in the last step that changes its velocity; empty for response
+  /// none.
+  std::span<const Vec3> motion_m() const;
+
   long long rays() const { return rays_.rays(); }
   long long rayTests() const { return rays_.tests(); }
 
  private:
   void detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
               const std::vector<ToolState>& tools_now);
+  /// Moves the tissue; the reaction on the tools, newtons.
+  Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
+               const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
+               double dt_s);
   void limitDisplacement(NodeCandidate& candidate) const;
   void noteDisplacements(std::span<const Vec3> positions_m);
   void report(State& state, ContactPatch& patch) const;
@@ -51,11 +69,13 @@ class NodeContact {
   NodeRays rays_;
   std::vector<NodeAssociation> associations_;  ///< one a body
   std::optional<VertexSides> vertex_sides_;
+  std::optional<RimEdges> rim_edges_;
   EnforcedDisplacement displacement_;
+  std::optional<ContactImpulses> impulses_;  ///< response momentum
   int node_count_;
 
   std::vector<NodeCandidate> candidates_;
-  std::vector<ContactConstraint> constraints_;  ///< those of the acting candidates, then those of vertices
+  std::vector<ContactConstraint> constraints_;  ///< of the acting candidates, then of vertices and edges
   std::size_t node_constraints_ = 0;            ///< how many of them are candidates'
   /// Of each constraint before it acts: how far it is short of its target. Empty where one tool takes all.
   std::vector<double> displacements_m_;

@@ -1,39 +1,16 @@
 #include "contact/vertex_sides.h"
 
-#include <algorithm>
-#include <limits>
+#include "contact/box_entry.h"
 
 namespace fissure {
 
 namespace {
 
-bool holds(const Vec3& half_m, const Vec3& point_m) {
-  return (point_m.cwiseAbs().array() < half_m.array()).all();
-}
-
-/// The face of the box through which the segment from an outside point enters, 2 x axis + (0: positive, 1:
-/// negative); -1: it misses.
-int entryFace(const Vec3& half_m, const Vec3& from_m, const Vec3& to_m) {
-  double enter = 0, leave = 1;
-  int face = -1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double way = to_m[axis] - from_m[axis];
-    for (const double sign : {1.0, -1.0}) {
-      const double outside = sign * from_m[axis] - half_m[axis];  // > 0: in front of this face
-      const double approach = -sign * way;
-      if (outside >= 0) {
-        if (approach <= 0) return -1;
-        const double at = outside / approach;
-        if (at >= enter) {
-          enter = at;
-          face = 2 * axis + (sign > 0 ? 0 : 1);
-        }
-      } else if (approach < 0) {
-        leave = std::min(leave, outside / approach);
-      }
-    }
-  }
-  return enter <= leave ? face : -1;
+/// The face of the box that a point outside is farthest in front of, numbered as boxEntryFace does.
+std::int8_t nearestFace(const Vec3& half_m, const Vec3& point_m) {
+  int axis = 0;
+  (point_m.cwiseAbs() - half_m).maxCoeff(&axis);
+  return static_cast<std::int8_t>(2 * axis + (point_m[axis] > 0 ? 0 : 1));
 }
 
 }  // namespace
@@ -61,8 +38,10 @@ void VertexSides::find(std::span<const Vec3> positions_m, std::span<const Vec3> 
       const Vec3 point_m = now.toBody(positions_m[v]);
       const Vec3 came_from_m = before.toBody(before_m[v]);
       std::int8_t& side = box.sides[v];
-      if (!holds(reach_m, came_from_m))
-        side = static_cast<std::int8_t>(entryFace(reach_m, came_from_m, point_m));
+      if (!boxHolds(reach_m, came_from_m))
+        side = static_cast<std::int8_t>(boxEntryFace(reach_m, came_from_m, point_m));
+      else if (side == kNoSide && !boxHolds(box.half_m, came_from_m))  // starts within the margin
+        side = nearestFace(box.half_m, came_from_m);
       if (side == kNoSide) continue;
 
       const int axis = side / 2;

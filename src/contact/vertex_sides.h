@@ -13,7 +13,8 @@ namespace fissure {
 /// Beyond the paper: contacts for tissue vertices that slip in between the nodes of a box tool. Each vertex
 /// remembers from which face of the box it came; a vertex within a margin of the box is held in front of that
 /// face, and one that crossed the box within a step in front of the face it entered through. A vertex that
-/// starts inside has no side and gets no contact. One object belongs to one run.
+/// starts inside has no side and gets no contact; one that starts within the margin is on the nearest side.
+/// One object belongs to one run.
 class VertexSides {
  public:
   /// margins_m: one a body.

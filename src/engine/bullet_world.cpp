@@ -16,6 +16,7 @@ void StagedSoftBodySolver::solveConstraints(btScalar step_s) {
   if (ground_) {
     for (int i = 0; i < m_softBodySet.size(); ++i) ground_->addContacts(*m_softBodySet[i]);
   }
+  if (before_solve_) before_solve_();
   btDefaultSoftBodySolver::solveConstraints(step_s);
   if (after_solve_) after_solve_();
 }
@@ -85,6 +86,16 @@ void BulletWorld::writePositions(const std::vector<Vec3>& positions_m) {
   std::size_t vertex = 0;
   for (const auto& body : bodies_) {
     for (int i = 0; i < body->m_nodes.size(); ++i) body->m_nodes[i].m_x = toBullet(positions_m[vertex++]);
+  }
+}
+
+void BulletWorld::addMotion(std::span<const Vec3> motion_m) {
+  std::size_t vertex = 0;
+  for (const auto& body : bodies_) {
+    const btScalar kept_per_s = body->m_sst.isdt * (1 - body->m_cfg.kDP);
+    for (int i = 0; i < body->m_nodes.size(); ++i) {
+      body->m_nodes[i].m_v += toBullet(motion_m[vertex++]) * kept_per_s;
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "base/scene.h"
@@ -17,11 +18,12 @@
 
 namespace fissure {
 
-/// Bullet's soft-body solver with two things of ours: the ground's contacts before its solve, and a stage
-/// after it. Steps with the exact time step, where Bullet's world hands over a float.
+/// Bullet's soft-body solver with things of ours: the ground's contacts and a stage before its solve, and a
+/// stage after it. Steps with the exact time step, where Bullet's world hands over a float.
 class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  public:
   StagedSoftBodySolver(double step_s, Ground* ground) : step_s_(step_s), ground_(ground) {}
+  void setBeforeSolve(std::function<void()> stage) { before_solve_ = std::move(stage); }
   void setAfterSolve(std::function<void()> stage) { after_solve_ = std::move(stage); }
   void predictMotion(btScalar step_s) override;
   void solveConstraints(btScalar step_s) override;
@@ -29,6 +31,7 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  private:
   double step_s_;
   Ground* ground_;  ///< null: no ground
+  std::function<void()> before_solve_;
   std::function<void()> after_solve_;
 };
 
@@ -64,6 +67,9 @@ class BulletWorld {
   void readPositions(std::vector<Vec3>& positions_m) const;
   void readVelocities(std::vector<Vec3>& velocities_m_s) const;
   void writePositions(const std::vector<Vec3>& positions_m);
+  /// Adds to each vertex's velocity what its displacement `motion_m` in the step amounts to, damped as Bullet
+  /// damps its own.
+  void addMotion(std::span<const Vec3> motion_m);
   std::vector<double> inverseMasses() const;
 
  private:

@@ -10,6 +10,9 @@ namespace {
 NodeContactSettings contactSettings(const PipelineContext& context) {
   NodeContactSettings settings{.association = context.settings.pipeline != "raycast",
                                .vertex_contacts = context.settings.vertexContacts(),
+                               .response = context.settings.contactResponse() == "momentum"
+                                               ? ContactResponse::momentum
+                                               : ContactResponse::none,
                                .sweeps = context.settings.sweeps,
                                .ray_length_m = context.settings.ray_length_m,
                                .max_displacement_m = context.settings.max_displacement_m,
@@ -58,6 +61,7 @@ class NodePipeline : public Pipeline {
     world_.readPositions(positions_m_);
     contact_.step(positions_m_, inverse_masses_, before_, now_, step_s_, counts_, patch_);
     world_.writePositions(positions_m_);
+    if (!contact_.motion_m().empty()) world_.addMotion(contact_.motion_m());
     counts_.timing.collision_us =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }

@@ -12,6 +12,7 @@ const std::vector<PipelineFactory>& pipelineFactories() {
       {"default", nullptr, &makeSdfPipeline},     {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
       {"cluster", nullptr, &makeClusterPipeline}, {"raycast", nullptr, &makeNodePipeline},
       {"fukuhara", nullptr, &makeNodePipeline},
+      {"prescribed", nullptr, &makePrescribedPipeline},
   };
   return factories;
 }

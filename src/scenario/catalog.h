@@ -23,6 +23,7 @@ struct Catalog {
   std::vector<CatalogEntry> timings;
   std::vector<CatalogEntry> interpolations;
   std::vector<CatalogEntry> settings;
+  std::vector<CatalogEntry> responses;
   std::vector<CatalogEntry> precisions;
   std::vector<CatalogEntry> rates;
   std::vector<CatalogEntry> deformations;

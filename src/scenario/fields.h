@@ -75,13 +75,15 @@ void describe(Io& io, PipelineSettings& p) {
   io.requiredChoice("pipeline", p.pipeline, catalog().pipelines);
   io.choice("precision", p.precision, catalog().precisions);
   const bool rays = p.usesNodes();
+  const bool bullet = p.usesSdf() || p.usesClusters();
   const char* sdf_only = "pipelines default and null";
   const char* rays_only = "pipelines raycast and fukuhara";
-  io.choiceIf(!rays, "pipelines default, null and cluster", "settings", p.settings, catalog().settings);
+  io.choiceIf(bullet, "pipelines default, null and cluster", "settings", p.settings, catalog().settings);
   io.fieldIf(p.usesSdf(), sdf_only, "sdf_voxel_m", p.sdf_voxel_m);
   io.fieldIf(p.usesSdf(), sdf_only, "kinematic_hardness", p.kinematic_hardness);
   io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);
   io.fieldIf(rays, rays_only, "vertex_contacts", p.vertex_contacts);
+  io.choiceIf(rays, rays_only, "response", p.response, catalog().responses);
   io.fieldIf(rays, rays_only, "sweeps", p.sweeps);
   io.fieldIf(rays, rays_only, "max_displacement_m", p.max_displacement_m);
   io.field("time_limit_s", p.time_limit_s);

@@ -21,17 +21,21 @@ struct PipelineSettings {
   /// Ray casting pipelines.
   /// L; default: the extent of each body at rest, at least the travel in a step.
   std::optional<double> ray_length_m;
-  /// Beyond the paper: also hold tissue vertices that slip in between the nodes of a box tool, each on the
-  /// side it came from. Default: yes for fukuhara, no for raycast; `false` is the paper's method alone.
+  /// Beyond the paper: also hold tissue vertices and edges that slip in between the nodes of a box tool, each
+  /// on the side it came from. Default: yes for fukuhara, no for raycast; `false` is the paper's method
+  /// alone.
   std::optional<bool> vertex_contacts;
-  int sweeps = 10;  ///< Gauss-Seidel sweeps of enforced displacement, 1..1000
+  /// A name in catalog().responses: what contacts do to the tissue's momentum. Default: momentum for
+  /// fukuhara, none for raycast, the paper's method.
+  std::optional<std::string> response;
+  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
   /// feasibility): a tool that starts inside is pushed free over several steps. > 0
   double max_displacement_m = 0.005;
 
   double time_limit_s = 3600;  ///< wall clock; a run beyond it is stopped and recorded as "timeout"; > 0
 
-  /// Whether this pipeline detects contacts with tool nodes; the others use Bullet's own contact.
+  /// Whether this pipeline detects contacts with tool nodes.
   bool usesNodes() const { return pipeline == "raycast" || pipeline == "fukuhara"; }
   /// Whether Bullet tests tissue vertices against the tool's signed distance field.
   bool usesSdf() const { return pipeline == "default" || pipeline == "null"; }
@@ -44,10 +48,16 @@ struct PipelineSettings {
   double sdfVoxel_m() const { return sdf_voxel_m.value_or(settings == "tuned" ? 0.0005 : 0.25); }
   double kinematicHardness() const { return kinematic_hardness.value_or(settings == "tuned" ? 1.0 : 0.1); }
   bool vertexContacts() const { return vertex_contacts.value_or(pipeline == "fukuhara"); }
+  std::string contactResponse() const {
+    return response.value_or(pipeline == "fukuhara" ? "momentum" : "none");
+  }
 
   /// Writes these defaults into their fields, so that a stored scenario says every number that was used.
   void fillDefaults() {
-    if (usesNodes()) vertex_contacts = vertexContacts();
+    if (usesNodes()) {
+      vertex_contacts = vertexContacts();
+      response = contactResponse();
+    }
     if (usesSdf()) {
       sdf_voxel_m = sdfVoxel_m();
       kinematic_hardness = kinematicHardness();

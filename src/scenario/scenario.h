@@ -36,7 +36,10 @@ struct WorldSettings {
 struct GroundSettings {
   double height_m = 0.0;
   double friction = 0.5;  ///< Bullet's default for a rigid body; multiplied by the body's dynamic_friction
-  double hardness = 1.0;  ///< share of the overlap that one solver iteration removes, 0..1
+  /// 0..1: Bullet's contact takes a vertex back by its way into the ground and lifts it by this share of its
+  /// overlap besides. 1 throws it as far above as it went below: under load tissue then rattles on the ground
+  /// at metres a second.
+  double hardness = 0.3;
 
   bool operator==(const GroundSettings&) const = default;
 };

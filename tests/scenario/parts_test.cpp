@@ -151,10 +151,28 @@ TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
   p.sdf_voxel_m = 0.01;
   EXPECT_EQ(p.sdfVoxel_m(), 0.01);
   EXPECT_FALSE(p.usesNodes());
+  EXPECT_TRUE(p.usesBulletContact());
   for (const char* name : {"raycast", "fukuhara"}) {
     p.pipeline = name;
     EXPECT_TRUE(p.usesNodes());
+    EXPECT_FALSE(p.usesBulletContact());
   }
+  p.pipeline = "prescribed";
+  EXPECT_FALSE(p.usesNodes());
+  EXPECT_FALSE(p.usesBulletContact());
+}
+
+TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
+  PipelineSettings p;
+  p.pipeline = "fukuhara";
+  EXPECT_EQ(p.contactResponse(), "momentum");
+  p.response = "none";
+  EXPECT_EQ(p.contactResponse(), "none");
+  p.response.reset();
+  p.pipeline = "raycast";
+  EXPECT_EQ(p.contactResponse(), "none");
+  p.fillDefaults();
+  EXPECT_EQ(p.response, "none") << "a stored scenario says it";
 }
 
 }  // namespace

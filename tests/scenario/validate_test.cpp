@@ -277,6 +277,7 @@ TEST(Validate, PipelinesForcesAndRecords) {
       {"pipelines.default.sdf_voxel_m", [](Scenario& s) { s.pipelines[0].sdf_voxel_m = 0; }},
       {"pipelines.default.kinematic_hardness", [](Scenario& s) { s.pipelines[0].kinematic_hardness = 2; }},
       {"pipelines.fukuhara.ray_length_m", [](Scenario& s) { s.pipelines[1].ray_length_m = -1; }},
+      {"pipelines.fukuhara.response", [](Scenario& s) { s.pipelines[1].response = "soft"; }},
       {"pipelines.fukuhara.sweeps", [](Scenario& s) { s.pipelines[1].sweeps = 0; }},
       {"pipelines.fukuhara.sweeps", [](Scenario& s) { s.pipelines[1].sweeps = 1001; }},
       {"pipelines.fukuhara.max_displacement_m", [](Scenario& s) { s.pipelines[1].max_displacement_m = 0; }},

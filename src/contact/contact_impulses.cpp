@@ -1,0 +1,104 @@
+#include "contact/contact_impulses.h"
+
+#include <algorithm>
+
+namespace fissure {
+
+namespace {
+
+Vec3 pointOf(const ContactConstraint& contact, std::span<const Vec3> of_vertices) {
+  Vec3 point = Vec3::Zero();
+  for (int j = 0; j < 3; ++j) point += contact.weights[j] * of_vertices[contact.vertices[j]];
+  return point;
+}
+
+void move(const ContactConstraint& contact, double push_kg_m, std::span<const double> inverse_masses,
+          std::span<Vec3> of_vertices) {
+  for (int j = 0; j < 3; ++j) {
+    const int vertex = contact.vertices[j];
+    of_vertices[vertex] += push_kg_m * inverse_masses[vertex] * contact.weights[j] * contact.normal;
+  }
+}
+
+}  // namespace
+
+void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
+                            std::span<const double> inverse_masses,
+                            const std::vector<ToolState>& tools_before,
+                            const std::vector<ToolState>& tools_now, std::span<const Vec3> before_m,
+                            std::span<Vec3> positions_m) {
+  prepare(constraints, inverse_masses, tools_before, tools_now, before_m);
+  start_m_.assign(positions_m.begin(), positions_m.end());
+  pushOut(constraints, inverse_masses, positions_m);
+  way_m_.resize(positions_m.size());
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    way_m_[v] = start_m_[v] - before_m[v];
+    motion_m_[v] = positions_m[v] - start_m_[v];
+  }
+  forgetOldOverlap(constraints, inverse_masses);
+}
+
+Vec3 ContactImpulses::total() const {
+  Vec3 total = Vec3::Zero();
+  for (std::size_t i = 0; i < pushes_.size(); ++i) total += pushes_[i].kg_m * normals_[i];
+  return total;
+}
+
+void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
+                              std::span<const double> inverse_masses,
+                              const std::vector<ToolState>& tools_before,
+                              const std::vector<ToolState>& tools_now, std::span<const Vec3> before_m) {
+  pushes_.assign(constraints.size(), {});
+  normals_.resize(constraints.size());
+  for (std::size_t i = 0; i < constraints.size(); ++i) {
+    const ContactConstraint& contact = constraints[i];
+    Push& push = pushes_[i];
+    normals_[i] = contact.normal;
+    for (int j = 0; j < 3; ++j)
+      push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
+    const Pose& from = tools_before[contact.tool].pose;
+    const Pose& to = tools_now[contact.tool].pose;
+    const Vec3 was_at_m = from.toScene(to.toBody(contact.position_m));
+    const Vec3 normal_was = from.rotateToScene(to.rotateToBody(contact.normal));
+    push.tool_way_m = (contact.position_m - was_at_m).dot(contact.normal);
+    push.old_overlap_m = contact.target_m - (pointOf(contact, before_m) - was_at_m).dot(normal_was);
+  }
+}
+
+void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
+                              std::span<const double> inverse_masses, std::span<Vec3> positions_m) {
+  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      const ContactConstraint& contact = constraints[i];
+      Push& push = pushes_[i];
+      if (!(push.mobility > 0)) continue;
+      const double short_by_m =
+          contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
+      const double change_kg_m = std::max(short_by_m / push.mobility, -push.kg_m);
+      push.kg_m += change_kg_m;
+      move(contact, change_kg_m, inverse_masses, positions_m);
+    }
+  }
+}
+
+// Where a contact pushed and its tissue now leaves the tool, the part of that speed that comes from undoing
+// old overlap is taken out of the motion again, and no more than the contact gave.
+void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constraints,
+                                       std::span<const double> inverse_masses) {
+  for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    for (std::size_t i = 0; i < constraints.size(); ++i) {
+      const ContactConstraint& contact = constraints[i];
+      Push& push = pushes_[i];
+      if (!(push.kg_m > 0) || !(push.old_overlap_m > 0)) continue;
+      const double leaves_m =
+          (pointOf(contact, way_m_) + pointOf(contact, motion_m_)).dot(contact.normal) - push.tool_way_m;
+      const double removed_m =
+          std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
+      push.old_overlap_m -= removed_m;
+      push.kg_m -= removed_m / push.mobility;
+      move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);
+    }
+  }
+}
+
+}  // namespace fissure

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/state.h"
+#include "contact/candidate.h"
+
+namespace fissure {
+
+/// Beyond the paper: contacts where an edge of the tissue crosses the rim of a box tool's large faces in
+/// between its nodes. Such a crease cuts into the tool though no tissue vertex does and no node sees it. The
+/// crossing point is held in front of the large face it came from. One object belongs to one run.
+class RimEdges {
+ public:
+  /// margins_m: one a body.
+  RimEdges(const Scene& scene, const std::vector<double>& margins_m);
+
+  /// Appends one constraint for each crossing. Arguments as NodeRays::cast.
+  void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
+            const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
+            std::vector<ContactConstraint>& constraints);
+
+ private:
+  struct Box {
+    int tool = 0;
+    Vec3 half_m;
+    int thin_axis = 0;  ///< across the large faces
+  };
+  struct Edge {
+    std::array<int, 2> vertices{};
+    double margin_m = 0;
+  };
+  void findOn(const Box& box, const ToolState& now, std::vector<ContactConstraint>& constraints) const;
+
+  std::vector<Box> boxes_;
+  std::vector<Edge> edges_;
+  std::vector<Vec3> local_m_, local_before_m_;  ///< the tissue in one box's frame, now and before
+};
+
+}  // namespace fissure
