@@ -51,6 +51,12 @@ TEST_F(VertexSidesTest, AVertexIsHeldInFrontOfTheFaceItCameFrom) {
   EXPECT_EQ(found[0].target_m, kMargin_m);
 }
 
+TEST_F(VertexSidesTest, AVertexThatStartsWithinTheMarginIsOnTheNearestSide) {
+  now[0] = Vec3(0, 0.0025 + 0.5 * kMargin_m, 0);
+  ASSERT_EQ(moveVertex({0, 0.001, 0}).size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec3(0, 1, 0));
+}
+
 TEST_F(VertexSidesTest, AVertexThatStaysInsideKeepsItsSide) {
   moveVertex({0, -0.02, 0});
   moveVertex({0, -0.001, 0});

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 #include "contact/grid_nodes.h"
 #include "engine/simulation.h"
@@ -138,14 +137,13 @@ class PushedAtSpeed : public testing::TestWithParam<double> {};
 // it.
 TEST_P(PushedAtSpeed, ABodyTakesItsToolsSpeed) {
   const double speed_m_s = GetParam();
-  World world(Vec3(0.01, 0.1, 0.1), Vec3(-0.04, 0, 0), true);
+  World world(Vec3(0.01, 0.1, 0.4), Vec3(-0.04, 0, 0), true);
   for (int i = 0; i < 300; ++i) world.step();
   double fastest_m_s = 0, mean_m_s = 0;
-  const int steps = static_cast<int>(0.4 / speed_m_s / kStep_s);
+  const int steps = 3000;
   for (int i = 0; i < steps; ++i) {
     world.step(Vec3(speed_m_s, 0, 0));
     fastest_m_s = std::max(fastest_m_s, world.velocity_m_s().x());
-    if (getenv("TRACE") && i % (steps/40) == 0) printf("%d v %.3f %.3f R %.2f low %.4f\n", i, world.velocity_m_s().x(), world.velocity_m_s().y(), world.state().reaction_on_tool_N.x(), world.lowest_m());
     if (i >= steps / 2) mean_m_s += world.velocity_m_s().x() / (steps - steps / 2);
   }
   EXPECT_LT(fastest_m_s, 2.05 * speed_m_s) << "an elastic ball leaves a wall with at most twice its speed";

@@ -292,6 +292,19 @@ TEST(Simulation, TheDefaultLetsTheSpatulaInAndTheFullMethodHolds) {
   EXPECT_LT(held, lower_face);
 }
 
+// The reference without contact detection: a vertex that the blade reaches stays where it met the blade.
+TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
+  Press press("prescribed");
+  int top = 0;
+  const State& first = press.step();
+  for (std::size_t v = 0; v < first.positions_m.size(); ++v)
+    if (first.positions_m[v].y() > first.positions_m[top].y()) top = static_cast<int>(v);
+  const State& state = press.run(60);
+  EXPECT_EQ(state.vertex_contact[top], 1);
+  EXPECT_NEAR(state.positions_m[top].y(), state.tools[0].pose.position_m.y() - 0.001 - 0.0005, 1e-12);
+  EXPECT_GT(state.forces[0].elastic_N, 0);
+}
+
 // A blade at rest on held tissue feels the elastic force alone: x' is zero, and nothing is clamped. (The
 // engine's own velocities would say tens of m/s.)
 TEST(Simulation, AtRestTheForceIsElastic) {

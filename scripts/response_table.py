@@ -1,0 +1,213 @@
+#!/usr/bin/env python3
+"""What contacts do to the tissue's momentum: response none, response momentum, and the tissue alone, compared.
+
+    /usr/bin/python3 scripts/response_table.py
+
+Writes results/response/press.csv (both press scenarios over speeds, steps and nodes), scenes.csv (bodies at rest on a tool, lifted,
+pushed) and table.md. "alone": the same tissue compressed by prescribed vertices (pipeline prescribed).
+"""
+import argparse
+import csv
+import json
+import pathlib
+import subprocess
+import tempfile
+
+import h5py
+import numpy
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+SPEEDS_M_S = [0.02, 0.1, 0.5, 2, 10]
+STEPS_S = {"0.001": 0.001, "1/240": 1 / 240, "1/60": 1 / 60}
+PRESSES = {  # scenario: (tool, nodes along an edge, steps)
+    "spatula_press": ("spatula", [8, 16], ["0.001", "1/240", "1/60"]),
+    "plate_press": ("plate", [16, 32], ["0.001", "1/240"]),
+}
+RESPONSES = ["none", "momentum"]
+WEIGHT_N = 0.981
+SCENE = """format: 1
+name: scene
+description: A soft sphere of 100 g and a box.
+time: {{step_s: 0.001, duration_s: {duration}}}
+{ground}
+bodies:
+  - name: sphere
+    shape: {{type: sphere, radius_m: 0.03, subdivisions: 2}}
+    position_m: [0, 0.03, 0]
+    mass_kg: 0.1
+    margin_m: 0.0005
+    bending_distance: 2
+    material: {{linear_stiffness: 0.5}}
+    solver: {{pose_matching: 0.02, damping: 0, dynamic_friction: 1, position_iterations: 10}}
+tools:
+  - name: box
+    shape: {{type: box, size_m: {size}}}
+    nodes: {{resolution: [16, 16]}}
+    motion: {{type: script, start_m: {start}, segments: {segments}}}
+pipelines:
+  - {{name: none, pipeline: fukuhara, response: none}}
+  - {{name: momentum, pipeline: fukuhara, response: momentum}}
+record: {{snapshots_every_s: 0.1}}
+"""
+
+
+def run(arguments, folder, text, settings=()):
+    """Runs all pipelines of a scenario; their summaries by name, and the result file."""
+    (folder / "scenario.yaml").write_text(text)
+    command = [arguments.program, "run", folder / "scenario.yaml", "-o", folder / "result.h5", "--force", "--json", "--no-frames"]
+    for setting in settings:
+        command += ["--set", setting]
+    finished = subprocess.run([*map(str, command), "-j", str(arguments.jobs)], stdout=subprocess.PIPE, check=False)
+    if finished.returncode not in (0, 3):
+        raise SystemExit(f"failed ({finished.returncode}): {' '.join(map(str, command))}")
+    pipelines = json.loads(finished.stdout)["results"][0]["pipelines"]
+    return {p["name"]: {"status": p["status"], **p["summary"]} for p in pipelines}, folder / "result.h5"
+
+
+def press_text(config):
+    law = "model: hunt_crossley, k: 200, lambda: 50, n: 1.3"
+    return f"""base: {ROOT}/configs/{config}.yaml
+name: press
+pipelines:
+  - {{name: alone, pipeline: prescribed}}
+  - {{name: none, pipeline: fukuhara, response: none}}
+  - {{name: momentum, pipeline: fukuhara, response: momentum}}
+force:
+  - {{name: hc, {law}}}
+  - {{name: hc_velocities, {law}, rate: velocities}}
+"""
+
+
+def press(arguments, folder, config, tool, nodes, step, speed):
+    settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
+    settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
+    summaries, _ = run(arguments, folder, press_text(config), settings)
+    own = summaries["alone"]["force_roughness_hc"]
+    for name in RESPONSES + (["default_tuned"] if config == "plate_press" else []):
+        s = summaries[name]
+        yield {
+            "scenario": config,
+            "step_s": step,
+            "nodes": f"{nodes} x {nodes}" if name in RESPONSES else "-",
+            "speed_m_s": speed,
+            "response": name,
+            "status": s["status"],
+            "depth_mm": 1000 * s["max_penetration_depth_m"],
+            "passed_through": s["passed_through_samples"],
+            "inverted": s["max_inverted_triangles"],
+            "max_force_N": s["max_force_hc_N"],
+            "roughness": s["force_roughness_hc"],
+            "roughness_alone": own,
+            "roughness_velocities": s["force_roughness_hc_velocities"],
+            "max_force_velocities_N": s["max_force_hc_velocities_N"],
+            "mean_collision_us": s["timing/mean_collision_us"],
+            "mean_step_us": s["timing/mean_step_us"],
+        }
+
+
+def scene(arguments, folder, name, duration, ground, size, start, segments):
+    text = SCENE.format(duration=duration, ground=ground, size=size, start=start, segments=segments)
+    _, file = run(arguments, folder, text)
+    with h5py.File(file) as result:
+        for response in RESPONSES:
+            group = result[f"pipelines/{response}"]
+            time = group["time"][:]
+            reaction = group["reaction_force"][:]
+            momentum = group["momentum"][:]
+            step_s = time[1] - time[0]
+            height = group["tool_position"][:, 0, 1]
+            lowest = group["positions"][:, :, 1].min(axis=1)
+            above = lowest - numpy.interp(group["snapshot_time"][:], time, height)
+            row = {"scene": name, "response": response}
+            if not ground:
+                change = numpy.diff(momentum, axis=0) + step_s * (reaction[1:] + numpy.array([0, WEIGHT_N, 0]))
+                row["momentum_residual_kg_m_s"] = numpy.abs(change).max()
+                row["reaction_last_second_N"] = -reaction[time > time[-1] - 1, 1].mean()
+                moving = (time > 2) & (time <= 3)
+                row["reaction_2_to_3_s_N"] = -reaction[moving, 1].mean()
+                row["speed_2_to_3_s_m_s"] = momentum[moving, 1].mean() / 0.1
+                row["sink_after_1_s_mm"] = 1000 * (above[10] - above[-1])
+            else:
+                speed = momentum[:, 0] / 0.1
+                row["fastest_m_s"] = speed.max()
+                row["mean_speed_second_half_m_s"] = speed[len(speed) // 2 :].mean()
+            yield row
+
+
+def scenes(arguments, folder):
+    table, top = "[0.2, 0.01, 0.2]", "[0, -0.0056, 0]"
+    yield from scene(arguments, folder, "at rest on a fixed plate, 10 s", 10, "", table, top, "[{hold_s: 10}]")
+    lift = "[{hold_s: 1}, {move_to_m: [0, 0.1944, 0], speed_m_s: 0.1, timing: constant}, {hold_s: 2}]"
+    yield from scene(arguments, folder, "lifted at 0.1 m/s from 1 s to 3 s, held to 5 s", 5, "", table, top, lift)
+    for friction in (0, 0.5):
+        for speed in (0.1, 1):
+            push = f"[{{hold_s: 0.2}}, {{move_to_m: [{3 * speed - 0.04}, 0.03, 0], speed_m_s: {speed}, timing: constant}}]"
+            name = f"pushed sideways at {speed} m/s for 3 s, ground friction {friction}"
+            ground = f"ground: {{height_m: 0, friction: {friction}}}"
+            yield from scene(arguments, folder, name, 3.2, ground, "[0.01, 0.1, 0.4]", "[-0.04, 0.03, 0]", push)
+
+
+def write(path, rows):
+    columns = list(dict.fromkeys(key for row in rows for key in row))
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, fieldnames=columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def press_cell(row):
+    if row["status"] != "ok":
+        return row["status"]
+    text = f"{row['depth_mm']:.2f}" + (f" ({row['passed_through']})" if row["passed_through"] else "")
+    text += f" [{row['inverted']}]" if row["inverted"] else ""
+    return f"{text}; {row['roughness'] / row['roughness_alone']:.1f}"
+
+
+def write_tables(path, presses, bodies):
+    lines = ["Worst depth in mm; roughness of the force (law hc) over that of the same tissue compressed by prescribed vertices."]
+    lines += ["(n): n tool samples passed through; [n]: up to n triangles inverted.", ""]
+    lines += ["| scenario | dt [s] | nodes | response | " + " | ".join(f"{v:g} m/s" for v in SPEEDS_M_S) + " |"]
+    lines += ["|---|---|---|---|" + "---|" * len(SPEEDS_M_S)]
+    keys = dict.fromkeys((r["scenario"], r["step_s"], r["nodes"], r["response"]) for r in presses)
+    for key in keys:
+        cells = [press_cell(r) for r in presses if (r["scenario"], r["step_s"], r["nodes"], r["response"]) == key][: len(SPEEDS_M_S)]
+        lines.append("| " + " | ".join([*key, *cells]) + " |")
+    for row in bodies:
+        values = [f"{key} {value:.4g}" for key, value in row.items() if key not in ("scene", "response")]
+        lines += ["", f"* {row['scene']}, {row['response']}: " + ", ".join(values)]
+    for config in PRESSES:
+        ratios = []
+        for row in presses:
+            if row["scenario"] != config or row["response"] != "momentum":
+                continue
+            same = ("scenario", "step_s", "nodes", "speed_m_s")
+            other = next(r for r in presses if r["response"] == "none" and all(r[k] == row[k] for k in same))
+            ratios.append(row["mean_step_us"] / other["mean_step_us"])
+        lines += ["", f"* {config}: time of a step with momentum over that with none, median {numpy.median(ratios):.2f}"]
+    path.write_text("\n".join(lines) + "\n")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/fissure")
+    parser.add_argument("-j", "--jobs", type=int, default=2)
+    arguments = parser.parse_args()
+    folder = ROOT / "results/response"
+    folder.mkdir(parents=True, exist_ok=True)
+    presses, bodies = [], []
+    with tempfile.TemporaryDirectory() as scratch:
+        bodies += scenes(arguments, pathlib.Path(scratch))
+        write(folder / "scenes.csv", bodies)
+        for config, (tool, resolutions, steps) in PRESSES.items():
+            for step in steps:
+                for nodes in resolutions:
+                    for speed in SPEEDS_M_S:
+                        presses += press(arguments, pathlib.Path(scratch), config, tool, nodes, step, speed)
+                    print(f"{config}, dt {step} s, {nodes} x {nodes} nodes: done", flush=True)
+    write(folder / "press.csv", presses)
+    write_tables(folder / "table.md", presses, bodies)
+    print(f"written: {folder.relative_to(ROOT)}/{{press,scenes}}.csv, table.md")
+
+
+if __name__ == "__main__":
+    main()
