@@ -39,7 +39,7 @@ struct State {
   std::int64_t step = 0;  ///< 0: the initial state, after settling
   double time_s = 0;      ///< step x dt
   std::vector<Vec3> positions_m;
-  std::vector<Vec3> velocities_m_s;  ///< the engine's own, without enforced displacement
+  std::vector<Vec3> velocities_m_s;  ///< the engine's own; response none leaves them out of its displacement
   std::vector<double> masses_kg;     ///< constant over a run
   std::vector<ToolState> tools;
 

@@ -26,7 +26,8 @@ struct PipelineSettings {
   /// alone.
   std::optional<bool> vertex_contacts;
   /// A name in catalog().responses: what contacts do to the tissue's momentum. Default: momentum for
-  /// fukuhara, none for raycast, the paper's method.
+  /// fukuhara, none (the paper's) for raycast. The reaction that momentum reports assumes bodies of
+  /// time_scale 1.
   std::optional<std::string> response;
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
@@ -78,8 +79,8 @@ struct ForceSettings {
   double k = 200;      ///< N/m^n, with per_area N/m^(n+2); n = 1 but for hunt_crossley; >= 0
   double lambda = 50;  ///< N s/m^(n+1), with per_area N s/m^(n+3), >= 0; hunt_crossley only
   double n = 1.3;      ///< exponent, > 0; hunt_crossley only
-  /// Where x' comes from; not for linear_elastic. Enforced displacement leaves the engine's velocities of
-  /// held tissue without meaning (tens of m/s at rest), so differences are the default.
+  /// Where x' comes from; not for linear_elastic. Response none leaves the engine's velocities of held tissue
+  /// without meaning (tens of m/s at rest), so differences are the default.
   std::string rate = "differences";
   double c = 1;  ///< N s/m, with per_area N s/m^3, >= 0; kelvin_voigt only
   /// What a triangle is compared with. paper: its place at rest, so that the motion of the body as a whole

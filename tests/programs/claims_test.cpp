@@ -48,6 +48,17 @@ TEST(Claims, TheSpatulaEntersBulletsDefaultAndIsHeldByTheFullMethod) {
   }
 }
 
+TEST(Claims, BothResponsesAreSmooth) {
+  for (const std::string response : {"none", "momentum"}) {
+    const Folder folder;
+    const Outcome outcome = runFissure(
+        folder, {"run", FISSURE_SOURCE_DIR "/configs/spatula_press.yaml", "--no-frames", "-o", "out.h5",
+                 "--pipeline", "fukuhara", "--set", "pipelines.fukuhara.response=" + response});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_LE(quantity(readResultInfo(folder / "out.h5"), "fukuhara", "force_roughness"), 0.02) << response;
+  }
+}
+
 TEST(Claims, SixteenNodesHoldToATenthOfAMillimetre) {
   const ResultInfo info = press("spatula_press.yaml", "spatula", "0.5", 16);
   EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0001);

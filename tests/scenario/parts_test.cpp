@@ -151,15 +151,15 @@ TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
   p.sdf_voxel_m = 0.01;
   EXPECT_EQ(p.sdfVoxel_m(), 0.01);
   EXPECT_FALSE(p.usesNodes());
-  EXPECT_TRUE(p.usesBulletContact());
+  EXPECT_TRUE(p.usesSdf());
   for (const char* name : {"raycast", "fukuhara"}) {
     p.pipeline = name;
     EXPECT_TRUE(p.usesNodes());
-    EXPECT_FALSE(p.usesBulletContact());
+    EXPECT_FALSE(p.usesSdf());
   }
   p.pipeline = "prescribed";
   EXPECT_FALSE(p.usesNodes());
-  EXPECT_FALSE(p.usesBulletContact());
+  EXPECT_FALSE(p.usesSdf());
 }
 
 TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
