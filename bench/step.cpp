@@ -17,7 +17,7 @@ constexpr int kSteps = 200;
 
 /// Steps from time zero to just before the first contact in any of the scenario's pipelines.
 int stepsBeforeContact(const std::string& scenario) {
-  return scenario == "plate_press" ? 33 : 55;
+  return scenario == "plate_press" ? 33 : 54;
 }
 
 struct Batch {

@@ -78,10 +78,17 @@ force:
 """
 
 
+def reaction_roughness(file, name):
+    """RMS of the second difference of the reaction's magnitude over its RMS, as force_roughness."""
+    with h5py.File(file) as result:
+        reaction = numpy.linalg.norm(result[f"pipelines/{name}/reaction_force"][:], axis=1)
+    return float(numpy.sqrt(numpy.mean(numpy.diff(reaction, 2) ** 2) / numpy.mean(reaction**2)))
+
+
 def press(arguments, folder, config, tool, nodes, step, speed):
     settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
     settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
-    summaries, _ = run(arguments, folder, press_text(config), settings)
+    summaries, file = run(arguments, folder, press_text(config), settings)
     own = summaries["alone"]["force_roughness_hc"]
     for name in RESPONSES + (["default_tuned"] if config == "plate_press" else []):
         s = summaries[name]
@@ -98,6 +105,7 @@ def press(arguments, folder, config, tool, nodes, step, speed):
             "max_force_N": s["max_force_hc_N"],
             "roughness": s["force_roughness_hc"],
             "roughness_alone": own,
+            "reaction_roughness": reaction_roughness(file, name) if name in RESPONSES else None,
             "roughness_velocities": s["force_roughness_hc_velocities"],
             "max_force_velocities_N": s["max_force_hc_velocities_N"],
             "mean_collision_us": s["timing/mean_collision_us"],
@@ -160,11 +168,13 @@ def press_cell(row):
         return row["status"]
     text = f"{row['depth_mm']:.2f}" + (f" ({row['passed_through']})" if row["passed_through"] else "")
     text += f" [{row['inverted']}]" if row["inverted"] else ""
-    return f"{text}; {row['roughness'] / row['roughness_alone']:.1f}"
+    text += f"; {row['roughness'] / row['roughness_alone']:.1f}"
+    return text + (f"; {row['reaction_roughness']:.4f}" if row["reaction_roughness"] is not None else "")
 
 
 def write_tables(path, presses, bodies):
-    lines = ["Worst depth in mm; roughness of the force (law hc) over that of the same tissue compressed by prescribed vertices."]
+    lines = ["Worst depth in mm; roughness of the force (law hc) over that of the same tissue compressed by prescribed vertices;"]
+    lines += ["roughness of the reaction itself."]
     lines += ["(n): n tool samples passed through; [n]: up to n triangles inverted.", ""]
     lines += ["| scenario | dt [s] | nodes | response | " + " | ".join(f"{v:g} m/s" for v in SPEEDS_M_S) + " |"]
     lines += ["|---|---|---|---|" + "---|" * len(SPEEDS_M_S)]

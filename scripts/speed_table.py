@@ -66,9 +66,9 @@ def scenario_pipelines(arguments):
 
 
 def run_cell(arguments, speed, step, resolution, with_nodes, without_nodes):
-    """All pipelines as the scenario has them, and the full method as the paper has it: without contacts of vertices."""
+    """All pipelines as the scenario has them, and the full method as the paper has it: contacts of nodes alone, which leave velocities."""
     results = run(arguments, speed, step, resolution, with_nodes + without_nodes)
-    paper = run(arguments, speed, step, resolution, ["fukuhara"], ["pipelines.fukuhara.vertex_contacts=false"])
+    paper = run(arguments, speed, step, resolution, ["fukuhara"], [f"pipelines.fukuhara.{off}" for off in ("vertex_contacts=false", "response=none")])
     for result in paper:
         result["name"] = NODES_ONLY
     return results + paper
