@@ -51,17 +51,19 @@ record: {{snapshots_every_s: 0.1}}
 """
 
 
-def run(arguments, folder, text, settings=()):
-    """Runs all pipelines of a scenario; their summaries by name, and the result file."""
+def run(arguments, folder, text, pipelines, settings=()):
+    """Runs these pipelines of a scenario; their summaries by name, and the result file."""
     (folder / "scenario.yaml").write_text(text)
     command = [arguments.program, "run", folder / "scenario.yaml", "-o", folder / "result.h5", "--force", "--json", "--no-frames"]
     for setting in settings:
         command += ["--set", setting]
+    for name in pipelines:
+        command += ["--pipeline", name]
     finished = subprocess.run([*map(str, command), "-j", str(arguments.jobs)], stdout=subprocess.PIPE, check=False)
     if finished.returncode not in (0, 3):
         raise SystemExit(f"failed ({finished.returncode}): {' '.join(map(str, command))}")
-    pipelines = json.loads(finished.stdout)["results"][0]["pipelines"]
-    return {p["name"]: {"status": p["status"], **p["summary"]} for p in pipelines}, folder / "result.h5"
+    results = json.loads(finished.stdout)["results"][0]["pipelines"]
+    return {p["name"]: {"status": p["status"], **p["summary"]} for p in results}, folder / "result.h5"
 
 
 def press_text(config):
@@ -88,9 +90,10 @@ def reaction_roughness(file, name):
 def press(arguments, folder, config, tool, nodes, step, speed):
     settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
     settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
-    summaries, file = run(arguments, folder, press_text(config), settings)
+    names = RESPONSES + (["default_tuned"] if config == "plate_press" else [])
+    summaries, file = run(arguments, folder, press_text(config), ["alone", *names], settings)
     own = summaries["alone"]["force_roughness_hc"]
-    for name in RESPONSES + (["default_tuned"] if config == "plate_press" else []):
+    for name in names:
         s = summaries[name]
         yield {
             "scenario": config,
@@ -115,7 +118,7 @@ def press(arguments, folder, config, tool, nodes, step, speed):
 
 def scene(arguments, folder, name, duration, ground, size, start, segments):
     text = SCENE.format(duration=duration, ground=ground, size=size, start=start, segments=segments)
-    _, file = run(arguments, folder, text)
+    _, file = run(arguments, folder, text, RESPONSES)
     with h5py.File(file) as result:
         for response in RESPONSES:
             group = result[f"pipelines/{response}"]

@@ -15,7 +15,7 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 13> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 14> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
@@ -23,6 +23,7 @@ int listCatalog() {
                                         {"timings", tables.timings},
                                         {"interpolations", tables.interpolations},
                                         {"settings", tables.settings},
+                                        {"responses", tables.responses},
                                         {"precisions", tables.precisions},
                                         {"rates", tables.rates},
                                         {"deformations", tables.deformations},
