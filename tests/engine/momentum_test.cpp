@@ -34,6 +34,7 @@ class World {
     body.solver.pose_matching = 0.02;
     body.solver.position_iterations = 10;
     body.solver.damping = damping;
+    body.solver.dynamic_friction = 0.5;
     scenario_.bodies = {body};
     scenario_.tools.resize(1);
     scenario_.tools[0].shape.size_m = tool_size_m;
