@@ -35,9 +35,8 @@ class PrescribedPipeline : public Pipeline {
     for (std::size_t v = 0; v < held_.size(); ++v) {
       if (!held_[v]) continue;
       ++state.contact_count;
-      patch.vertex_contact[v] = 1;
-      if (patch.hasNormals())
-        patch.vertex_normals[v] += now_[held_[v]->tool].pose.rotateToScene(held_[v]->normal);
+      const int tool = held_[v]->tool;
+      patch.touchVertex(tool, static_cast<int>(v), 1, now_[tool].pose.rotateToScene(held_[v]->normal), 1);
     }
     state.candidate_count = state.contact_count;
     // What holds the vertices is not measured.
