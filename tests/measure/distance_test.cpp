@@ -5,6 +5,7 @@
 #include "measure/tool_shape.h"
 #include "mesh/primitives.h"
 #include "oracles.h"
+#include "slow_penetration.h"
 
 namespace fissure {
 namespace {
@@ -18,6 +19,17 @@ TEST(Distance, EqualsBruteForce) {
       const Vec3 point = test::randomIn(random, 1.5);
       ASSERT_NEAR(distance_m(tree, SurfaceTree::toTree(point)), test::bruteDistance(mesh, point), 1e-13);
     }
+  }
+}
+
+// Alone, so that no neighbour stands in for an edge or a corner.
+TEST(Distance, OfASingleTriangleEqualsThatInItsOwnPlane) {
+  std::mt19937 random(26);
+  for (int i = 0; i < 20'000; ++i) {
+    const TreeTriangle t{test::randomIn(random, 1), test::randomIn(random, 1), test::randomIn(random, 1)};
+    const TriangleMesh mesh{{t.a, t.b, t.c}, {{0, 1, 2}}};
+    const Vec3 point = test::randomIn(random, i % 2 == 0 ? 1.0 : 3.0);
+    ASSERT_NEAR(std::sqrt(distanceSquared(t, point)), test::planarDistance_m(mesh, point), 1e-12);
   }
 }
 
