@@ -13,7 +13,7 @@ namespace fissure {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int kShare = 8;  // sanitizers are several times slower
+constexpr int kShare = 4;  // sanitizers are several times slower
 #else
 constexpr int kShare = 1;
 #endif
