@@ -10,6 +10,10 @@ namespace fissure {
 
 namespace {
 
+// How far from a corner, as a share of its way to the centroid, a triangle is looked at. A vertex that came
+// out through another sheet by more than about this share of its triangles is found.
+constexpr double kFromCorner = 1e-3;
+
 constexpr std::size_t kNoTriangle = std::numeric_limits<std::size_t>::max();
 
 /// Whether the edge from `p` to `q`, seen along z, lies to the right (+x) of the point at its height y: +1 if
@@ -123,21 +127,23 @@ int windingNumber(const SurfaceTree& tree, const Vec3& point) {
   return nearestInteger(solidAngleWinding(tree, point, kNoTriangle));
 }
 
-int windingBeneath(const SurfaceTree& tree, std::size_t index) {
-  const TreeTriangle& t = tree.triangles()[index];
-  const Vec3 centroid = (t.a + t.b + t.c) / 3.0;
+int windingBeneath(const SurfaceTree& tree, std::size_t index, const Vec3& point) {
   // Beneath a triangle that faces up, the ray leaves through it; beneath one that faces down, it is behind.
-  const int own = t.doubleAreaNormal().z() > 0 ? 1 : 0;
-  if (const std::optional<int> others = countAbove(tree, centroid, index)) return *others + own;
-  return nearestInteger(solidAngleWinding(tree, centroid, index) + 0.5);
+  const int own = tree.triangles()[index].doubleAreaNormal().z() > 0 ? 1 : 0;
+  if (const std::optional<int> others = countAbove(tree, point, index)) return *others + own;
+  return nearestInteger(solidAngleWinding(tree, point, index) + 0.5);
 }
 
 int countInvertedTriangles(const SurfaceTree& tree) {
   if (isStarShaped(tree)) return 0;
   int count = 0;
   for (std::size_t i = 0; i < tree.triangles().size(); ++i) {
-    if (tree.triangles()[i].doubleAreaNormal().isZero(0.0)) continue;
-    if (windingBeneath(tree, i) != 1) ++count;
+    const TreeTriangle& t = tree.triangles()[i];
+    if (t.doubleAreaNormal().isZero(0.0)) continue;
+    const Vec3 centroid = (t.a + t.b + t.c) / 3.0;
+    const auto inOrder = [&](const Vec3& point) { return windingBeneath(tree, i, point) == 1; };
+    const auto by = [&](const Vec3& corner) { return Vec3(corner + kFromCorner * (centroid - corner)); };
+    if (!inOrder(centroid) || !inOrder(by(t.a)) || !inOrder(by(t.b)) || !inOrder(by(t.c))) ++count;
   }
   return count;
 }

@@ -11,14 +11,14 @@ namespace fissure {
 /// are given to either side. The surface must be closed: else the number depends on the ray.
 int windingNumber(const SurfaceTree& tree, const Vec3& point);
 
-/// The winding number just beneath the centroid of triangle `index` of tree.triangles(), against its normal:
-/// 1 for a triangle of a proper outward surface. In the limit of no distance: no step length enters.
-int windingBeneath(const SurfaceTree& tree, std::size_t index);
+/// The winding number just beneath a point of triangle `index` of tree.triangles(), against its normal: 1 for
+/// a triangle of a proper outward surface. In the limit of no distance: no step length enters.
+int windingBeneath(const SurfaceTree& tree, std::size_t index, const Vec3& point);
 
-/// How many triangles do not bound the body from outside: those whose windingBeneath is not 1, so 0 or less
-/// for a triangle turned inside out (its normal points into the tissue, or it lies in a fold that has come
-/// out on the far side), 2 or more for one buried in other tissue of the same body. Triangles without area
-/// are not counted: they have no inside.
+/// How many triangles do not bound the body from outside: those whose windingBeneath is not 1 at the centroid
+/// or close by a corner, so 0 or less for a triangle turned inside out (its normal points into the tissue, or
+/// it lies in a fold that has come out on the far side, if only with its tip), 2 or more for one buried in
+/// other tissue of the same body. Triangles without area are not counted: they have no inside.
 int countInvertedTriangles(const SurfaceTree& tree);
 
 }  // namespace fissure

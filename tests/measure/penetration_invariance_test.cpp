@@ -1,6 +1,7 @@
 // What must not change a measurement, and tissue in which depth could hide.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -137,6 +138,25 @@ TEST(HiddenDepth, TissueWoundTwiceCountsAsInsideAndIsReported) {
     EXPECT_NEAR(found.depth_m, slow.depth_m, 1e-13);
     EXPECT_GT(found.depth_m, 0.01);
     EXPECT_GT(found.inverted_triangles, 100);
+  }
+}
+
+// One vertex of a sphere pulled right through and out of the far side, a small tool in that spike, which is
+// tissue turned inside out (winding -1): no depth there, so the spike must be reported, however short, though
+// no triangle's centroid has come out.
+TEST(HiddenDepth, AToolInASpikeThroughTheFarSideIsReported) {
+  const Vec3 size_m(0.0002, 0.0001, 0.0002);
+  const Scene scene = test::makeScene({makeSphere(0.03, 2)}, {size_m});
+  for (const double length_m : {0.001, 0.005, 0.02, 0.07}) {
+    State state = test::restState(scene, {test::at(0, -0.03 - length_m / 2, 0)});
+    const auto top = std::max_element(state.positions_m.begin(), state.positions_m.end(),
+                                      [](const Vec3& a, const Vec3& b) { return a.y() < b.y(); });
+    top->y() = -0.03 - length_m;
+    const TriangleMesh spiked{state.positions_m, scene.bodies[0].rest.faces};
+    ASSERT_NEAR(test::girardWinding(spiked, state.tools[0].pose.position_m), -1, 1e-9);
+    const Penetration found = PenetrationMeter(scene, {}).measure(state);
+    EXPECT_EQ(found.depth_m, 0);
+    EXPECT_GE(found.inverted_triangles, 4) << length_m;
   }
 }
 

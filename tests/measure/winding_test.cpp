@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "mesh/primitives.h"
@@ -126,42 +127,56 @@ TriangleMesh boxWithFan(double tip) {
   return mesh;
 }
 
-// The fan's tip pushed through the bottom. The fan's centroids are at height (tip + 2) / 3; it crosses the
-// bottom on a square of half width |tip| / (1 + |tip|), and the bottom's two centroids are 1/3 from the
-// middle.
+// The fan's tip pushed through the bottom; at once its four triangles do, by that corner, whose outer side is
+// tissue turned inside out. The fan crosses the bottom on a square of half width |tip| / (1 + |tip|), and the
+// bottom's two centroids, 1/3 from the middle, face that from tip = -1/2 on.
 TEST(Inverted, CountsAFoldPushedThroughTheFarSide) {
   EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(1.0))), 0);
   EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(0.1))), 0);
-  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-0.4))), 0);  // only the tip is out: no centroid is
-  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-1.0))), 2);  // the bottom's, which now face air
-  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-5.0))), 6);  // and the fan's
+  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(1e-6))), 0);
+  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-0.01))), 4);
+  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-0.4))), 4);
+  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-1.0))), 6);
+  EXPECT_EQ(countInvertedTriangles(SurfaceTree(boxWithFan(-5.0))), 6);
 }
 
-// Two overlapping lobes of one body: buried is each triangle whose centroid the other lobe surrounds.
+/// The centroid and a point close by each corner.
+std::array<Vec3, 4> placesIn(const TriangleMesh& mesh, const Face& face) {
+  const auto corner = [&](std::size_t i) { return mesh.vertices_m[static_cast<std::size_t>(face[i])]; };
+  const Vec3 centroid = (corner(0) + corner(1) + corner(2)) / 3;
+  std::array<Vec3, 4> places{centroid, {}, {}, {}};
+  for (std::size_t i = 0; i < 3; ++i) places[i + 1] = 0.999 * corner(i) + 0.001 * centroid;
+  return places;
+}
+
+// Two overlapping lobes of one body: buried is each triangle of which the other lobe surrounds the centroid
+// or a corner.
 TEST(Inverted, CountsTrianglesBuriedInAnotherLobe) {
   const TriangleMesh one = makeSphere(1.0, 3);
   const TriangleMesh other = test::moved(one, {Vec3(0.9, 0.2, 0.1), Quat(0.9, 0.1, 0.3, 0.2).normalized()});
   int expected = 0;
   for (const auto& [lobe, around] : {std::pair(one, other), std::pair(other, one)}) {
     for (const Face& face : lobe.faces) {
-      Vec3 centroid = Vec3::Zero();
-      for (const int corner : face) centroid += lobe.vertices_m[static_cast<std::size_t>(corner)] / 3;
-      expected += solidAngleWinding(around, centroid) > 0.5;
+      const std::array<Vec3, 4> places = placesIn(lobe, face);
+      expected += std::any_of(places.begin(), places.end(),
+                              [&](const Vec3& place) { return solidAngleWinding(around, place) > 0.5; });
     }
   }
   ASSERT_GT(expected, 50);
   EXPECT_EQ(countInvertedTriangles(SurfaceTree(test::together(one, other))), expected);
 }
 
-TEST(Inverted, EqualsTheSolidAngleJustBeneathEachCentroid) {
+TEST(Inverted, EqualsTheSolidAngleJustBeneathCentroidAndCorners) {
   for (const double noise : {0.05, 0.3, 0.6, 1.5}) {
     const TriangleMesh mesh = test::crumpledSphere(1.0, 2, noise, 5);
     int expected = 0;
     for (const Face& face : mesh.faces) {
       const auto corner = [&](std::size_t i) { return mesh.vertices_m[static_cast<std::size_t>(face[i])]; };
       const Vec3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0)).normalized();
-      const double winding = solidAngleWinding(mesh, (corner(0) + corner(1) + corner(2)) / 3 - 1e-7 * normal);
-      expected += std::lround(winding) != 1;
+      const std::array<Vec3, 4> places = placesIn(mesh, face);
+      expected += std::any_of(places.begin(), places.end(), [&](const Vec3& place) {
+        return std::lround(solidAngleWinding(mesh, place - 1e-8 * normal)) != 1;
+      });
     }
     EXPECT_EQ(countInvertedTriangles(SurfaceTree(mesh)), expected) << noise;
   }
