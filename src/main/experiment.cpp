@@ -4,7 +4,8 @@
 #include <fstream>
 
 #include "base/error.h"
-#include "main/try_reading.h"
+#include "main/apart.h"
+#include "main/assemble_apart.h"
 #include "process/engine_program.h"
 #include "store/salvage.h"
 
@@ -137,12 +138,24 @@ void Experiment::close(const std::string& command_line) {
 void Experiment::writeResult(const std::string& command_line) {
   if (interrupted() && fs::exists(output_)) output_ = slot_->interruptedOutput();
   try {
-    assembleResult(output_, checked_.loaded,
-                   collectProvenance(checked_.loaded, input_hashes_, command_line, times_), results_);
+    assembleApart(output_, checked_.loaded,
+                  collectProvenance(checked_.loaded, input_hashes_, command_line, times_), results_,
+                  slot_->parts());
     info_ = readResultInfo(output_);
+    noteUnreadableParts();
   } catch (const std::runtime_error& error) {
     error_ = error.what();
   }
+}
+
+/// That a part could not be copied is known to the result alone.
+void Experiment::noteUnreadableParts() {
+  for (PartResult& result : results_)
+    for (const PipelineResult& written : info_->pipelines) {
+      if (written.name != result.pipeline.name || written.status.detail == result.status.detail) continue;
+      result.status = written.status;
+      result.part.reset();
+    }
 }
 
 /// Of a run that is in the result, a part kept by an earlier attempt is of no use any more.

@@ -57,6 +57,7 @@ class Experiment {
   bool worthKeeping() const;
   void refuseChangedInputs();
   void writeResult(const std::string& command_line);
+  void noteUnreadableParts();
   void keepPart(std::size_t index, const std::filesystem::path& name);
 
   CheckedScenario checked_;

@@ -2,10 +2,10 @@
 #include <iostream>
 #include <memory>
 
+#include "main/apart.h"
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
-#include "main/try_reading.h"
 #include "main/verbs.h"
 
 namespace fissure {

@@ -3,11 +3,12 @@
 #include <memory>
 
 #include "base/error.h"
+#include "main/apart.h"
+#include "main/assemble_apart.h"
 #include "main/exit_codes.h"
 #include "main/output_slot.h"
 #include "main/provenance.h"
 #include "main/result_table.h"
-#include "main/try_reading.h"
 #include "main/verbs.h"
 #include "store/salvage.h"
 
@@ -53,8 +54,8 @@ int salvage(const SalvageOptions& options, const std::string& command_line) {
   if (fs::equivalent(options.part, output, missing))
     throw InputError(output.string() + ": is the part itself, expected another name for the result");
   const OutputClaim claim(output, options.force);
-  assembleSalvaged(output, loaded, salvageProvenance(loaded, command_line),
-                   {loaded.scenario.pipelines.front(), options.part, content.status});
+  salvageApart(output, loaded, salvageProvenance(loaded, command_line),
+               {loaded.scenario.pipelines.front(), options.part, content.status});
   std::cout << resultTable(readResultInfo(output).pipelines) << "result: " << output.string() << "\n";
   return exit_good;
 }

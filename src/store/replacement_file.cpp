@@ -31,14 +31,20 @@ void sync(const std::filesystem::path& path, int flags) {
 
 }  // namespace
 
+std::filesystem::path ReplacementFile::temporaryName(const std::filesystem::path& target, int process,
+                                                     int n) {
+  std::filesystem::path name = target;
+  for (const std::string& piece : {std::to_string(process), std::to_string(n), std::string("tmp")}) {
+    name += ".";
+    name += piece;
+  }
+  return name;
+}
+
 ReplacementFile::ReplacementFile(std::filesystem::path target) : target_(std::move(target)) {
   constexpr int most_names = 1000;
   for (int n = 0; !file_.valid(); ++n) {
-    temporary_ = target_;
-    for (const std::string& piece : {std::to_string(::getpid()), std::to_string(n), std::string("tmp")}) {
-      temporary_ += ".";
-      temporary_ += piece;
-    }
+    temporary_ = temporaryName(target_, ::getpid(), n);
     // A dead process of the same number may have left its file.
     if (std::filesystem::exists(temporary_) && n < most_names) continue;
     file_ = h5::OutputFile::create(temporary_, H5F_ACC_EXCL);

@@ -10,7 +10,9 @@ namespace fissure {
 /// beside that name; whoever drops it before commit() leaves nothing behind.
 class ReplacementFile {
  public:
-  /// Creates `<target>.<process>.<n>.tmp`, a name nobody has. Throws RunError.
+  /// `<target>.<process>.<n>.tmp`
+  static std::filesystem::path temporaryName(const std::filesystem::path& target, int process, int n);
+  /// Creates temporaryName() of this process with an n that nobody has. Throws RunError.
   explicit ReplacementFile(std::filesystem::path target);
   ~ReplacementFile();
   ReplacementFile(const ReplacementFile&) = delete;

@@ -55,20 +55,6 @@ void writeProvenance(hid_t file, const LoadedScenario& loaded, const Provenance&
   h5::writeText(group, "scenario_resolved", loaded.resolved);
 }
 
-// The part of a run, if there is a readable one; a damaged part must not take the other pipelines' results
-// with it.
-std::optional<PartReader> openPart(const PartResult& result, RunStatus& status) {
-  if (!result.part || !std::filesystem::exists(*result.part)) return std::nullopt;
-  try {
-    return PartReader(*result.part, result.pipeline.name);
-  } catch (const RunError& error) {
-    if (status.status == "ok") status.status = "failed";
-    status.detail +=
-        (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + error.what();
-    return std::nullopt;
-  }
-}
-
 /// What the workers say of themselves: each text once for each name, in the order of the parts.
 class WorkerProvenance {
  public:
@@ -96,19 +82,39 @@ class WorkerProvenance {
   std::vector<std::pair<std::string, std::vector<std::string>>> names_;
 };
 
-void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vector<ForceSettings>& laws,
-                   const PartResult& result, WorkerProvenance& workers) {
-  RunStatus status = result.status;
-  const std::optional<PartReader> part = openPart(result, status);
+/// Leaves a half filled group behind when it throws.
+void copyPart(const h5::OutputFile& file, hid_t pipelines, const std::vector<ForceSettings>& laws,
+              const PartResult& result, WorkerProvenance& workers) {
+  const PartReader part(*result.part, result.pipeline.name);
   const h5::Id group = h5::createGroup(pipelines, result.pipeline.name);
-  describePipeline(group, result.pipeline, status);
-  if (!part) return;
-  workers.add(*part);
-  part->copyTo(group, file);
+  describePipeline(group, result.pipeline, result.status);
+  part.copyTo(group, file);
   attachScales(group);
   // Here and not in the part: H5Ocopy of HDF5 1.10.8 crashes on a dataset with more than eight attributes.
   if (h5::exists(group, "force")) describeForceLaws(h5::openDataset(group, "force"), laws);
   if (h5::exists(group, "frames")) addFrameImages(group, "/pipelines/" + result.pipeline.name);
+  workers.add(part);
+}
+
+// A damaged part must not take the other pipelines' results with it.
+void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vector<ForceSettings>& laws,
+                   const PartResult& result, WorkerProvenance& workers, bool salvaged) {
+  RunStatus status = result.status;
+  if (result.part && std::filesystem::exists(*result.part)) {
+    try {
+      return copyPart(file, pipelines, laws, result, workers);
+    } catch (const RunError& error) {
+      file.checkWritten();
+      if (salvaged) throw InputError(result.part->string() + ": a damaged part file (" + error.what() + ")");
+      if (status.status == "ok") status.status = "failed";
+      status.detail +=
+          (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + error.what();
+    }
+  }
+  const std::string& name = result.pipeline.name;
+  if (h5::exists(pipelines, name))
+    h5::check(H5Ldelete(pipelines, name.c_str(), H5P_DEFAULT), "cannot drop", name);
+  describePipeline(h5::createGroup(pipelines, name), result.pipeline, status);
 }
 
 void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const Provenance& provenance,
@@ -118,7 +124,8 @@ void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const
   {
     const h5::Id pipelines = h5::createGroup(file, "pipelines");
     WorkerProvenance workers;
-    for (const PartResult& part : parts) writePipeline(file, pipelines, loaded.scenario.force, part, workers);
+    for (const PartResult& part : parts)
+      writePipeline(file, pipelines, loaded.scenario.force, part, workers, salvaged);
     workers.write(h5::openGroup(file, "provenance"));
   }
   if (salvaged) h5::setAttribute(file, "salvaged", std::int32_t{1});
@@ -165,6 +172,12 @@ void assembleResult(const std::filesystem::path& path, const LoadedScenario& loa
 void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& loaded,
                       const Provenance& provenance, const PartResult& part) {
   assemble(path, loaded, provenance, {part}, true);
+}
+
+void removeHalfWritten(const std::filesystem::path& path, int process) {
+  std::error_code ignored;
+  for (int n = 0; std::filesystem::remove(ReplacementFile::temporaryName(path, process, n), ignored); ++n) {
+  }
 }
 
 std::string hdf5Version() {

@@ -26,13 +26,18 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 /// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1.
 /// Written beside `path` under a temporary name, synced, then renamed, and the directory synced: under `path`
 /// stands either the whole file or what stood there before. Throws RunError (a full disk too); the temporary
-/// file is removed then.
+/// file is removed then. A run whose part is damaged has the status "failed"; whether HDF5 crashes on it is
+/// not known here.
 void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
                     const Provenance& provenance, const std::vector<PartResult>& parts);
 
-/// The same for one part whose run nobody finished; the file says so with `salvaged` = 1.
+/// The same for one part whose run nobody finished; the file says so with `salvaged` = 1. Throws InputError
+/// when the part cannot be copied.
 void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& loaded,
                       const Provenance& provenance, const PartResult& part);
+
+/// Removes what a process that died within one of these had written of `path`.
+void removeHalfWritten(const std::filesystem::path& path, int process);
 
 /// What the table at the end of `run` and `info` read.
 struct PipelineResult {

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <functional>
+
+#include "base/error.h"
+
+namespace fissure {
+
+/// A process that worked apart has crashed, or used up its time.
+class LostApart : public RunError {
+ public:
+  explicit LostApart(pid_t process) : RunError("HDF5 crashes on it or never ends"), process_(process) {}
+  pid_t process() const { return process_; }
+
+ private:
+  pid_t process_;
+};
+
+/// Does `work` in a process of its own, which dies with this one and leaves nothing behind but the files it
+/// has written: HDF5 1.10 may crash on damaged files, or loop for ever. Throws what `work` throws, as
+/// InputError or RunError, and LostApart when it crashed or took more than `most_s` of processor time.
+void doApart(const std::function<void()>& work, unsigned long most_s);
+
+/// Reads a file that may be damaged apart first. Throws InputError about `file`, also when `read` does.
+void tryReading(const std::filesystem::path& file, const std::function<void()>& read);
+
+}  // namespace fissure

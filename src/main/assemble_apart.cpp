@@ -1,0 +1,84 @@
+#include "main/assemble_apart.h"
+
+#include <functional>
+#include <string>
+
+#include "base/error.h"
+#include "main/apart.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Far beyond what a whole part takes: some milliseconds a megabyte.
+unsigned long patience_s(const std::vector<PartResult>& parts) {
+  constexpr unsigned long at_least_s = 5;
+  constexpr unsigned long megabyte = 1000000;
+  unsigned long bytes = 0;
+  for (const PartResult& result : parts) {
+    std::error_code missing;
+    const auto size = result.part ? fs::file_size(*result.part, missing) : 0;
+    if (!missing) bytes += size;
+  }
+  return at_least_s + bytes / megabyte;
+}
+
+/// `assemble` writes `output` from `parts`; nothing half written stays behind.
+void writeApart(const fs::path& output, const std::vector<PartResult>& parts,
+                const std::function<void()>& assemble) {
+  try {
+    doApart(assemble, patience_s(parts));
+  } catch (const LostApart& lost) {
+    removeHalfWritten(output, lost.process());
+    throw;
+  }
+}
+
+void failFor(PartResult& result, const std::string& reason) {
+  RunStatus& status = result.status;
+  if (status.status == "ok") status.status = "failed";
+  status.detail += (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + reason;
+  result.part.reset();
+}
+
+}  // namespace
+
+void assembleApart(const fs::path& output, const LoadedScenario& loaded, const Provenance& provenance,
+                   std::vector<PartResult>& parts, const fs::path& scratch) {
+  const auto assemble = [&](const fs::path& path, const std::vector<PartResult>& some) {
+    writeApart(path, some, [&] { assembleResult(path, loaded, provenance, some); });
+  };
+  try {
+    return assemble(output, parts);
+  } catch (const LostApart&) {  // one of the parts is to blame, or several
+  }
+  for (PartResult& result : parts) {
+    const fs::path alone = scratch / "alone.h5";
+    try {
+      if (result.part) assemble(alone, {result});
+    } catch (const LostApart& lost) {
+      failFor(result, lost.what());
+    } catch (const RunError&) {  // no fault of the part's; the next attempt shows it too
+    }
+    std::error_code ignored;
+    fs::remove(alone, ignored);
+  }
+  try {
+    assemble(output, parts);
+  } catch (const LostApart& lost) {
+    throw RunError(output.string() + ": cannot be assembled: " + lost.what());
+  }
+}
+
+void salvageApart(const fs::path& output, const LoadedScenario& loaded, const Provenance& provenance,
+                  const PartResult& part) {
+  try {
+    writeApart(output, {part}, [&] { assembleSalvaged(output, loaded, provenance, part); });
+  } catch (const LostApart& lost) {
+    throw InputError(part.part->string() + ": a damaged part file (" + lost.what() + ")");
+  }
+}
+
+}  // namespace fissure
