@@ -17,6 +17,8 @@ HANG_S = 60
 PATIENCE_S = 5
 OUT = "out/run.h5"
 PIPELINES = ["default", "fukuhara"]
+SHORT_S = 1
+LONG_S = 4.2  # two blocks of 2,101 rows: the first can be salvaged
 SCENARIO = """\
 format: 1
 name: press

@@ -217,21 +217,27 @@ INSTANTIATE_TEST_SUITE_P(
                            "^0.part: cannot open: No such file or directory$"}),
     [](const auto& damage) { return damage.param.name; });
 
-// Overwritten after its worker has checked it: by the time the parts are put together, HDF5 1.10 crashes on
-// some. The moment is the worst one; the offsets are many, because which of them crash changes with the
-// parts.
+/// An engine that overwrites 64 bytes of each part 0, at this share of its length, when it is finished.
+void writeDamagingEngine(const Folder& folder, int per_mille) {
+  folder.write("fissure-engine-f64", "#!/bin/sh\n\"" + engineWorkerProgram() +
+                                         "\" \"$@\" || exit\n"
+                                         "while [ \"$1\" != --part ]; do shift; done\n"
+                                         "case $2 in *0.part) at=$(($(stat -c %s \"$2\") * " +
+                                         std::to_string(per_mille) +
+                                         " / 1000))\nhead -c 64 /dev/zero | tr '\\0' '\\377' | "
+                                         "dd of=\"$2\" bs=1 seek=$at conv=notrunc 2>/dev/null;; esac\n");
+  fs::permissions(folder / "fissure-engine-f64", fs::perms::owner_all);
+}
+
+// By the time the parts are put together, HDF5 1.10 crashes on some, with others it loops for ever.
 TEST(DamagedPart, FailsItsRunAloneWhereverItIsOverwritten) {
   const std::string scenario = pressScenario(two_runs, "0.02", "record: {snapshots_every_s: 0.01}\n");
   int failed = 0;
-  for (int at = 600; at < 24000; at += 1950) {
+  int failed_in_copying = 0;
+  for (int at = 10; at < 700; at += 30) {
     const Folder folder;
     folder.write("s.yaml", scenario);
-    folder.write("fissure-engine-f64", "#!/bin/sh\n\"" + engineWorkerProgram() +
-                                           "\" \"$@\" || exit\nwhile [ \"$1\" != --part ]; do shift; done\n"
-                                           "case $2 in *0.part) head -c 64 /dev/zero | tr '\\0' '\\377' | "
-                                           "dd of=\"$2\" bs=1 seek=" +
-                                           std::to_string(at) + " conv=notrunc 2>/dev/null;; esac\n");
-    fs::permissions(folder / "fissure-engine-f64", fs::perms::owner_all);
+    writeDamagingEngine(folder, at);
     const Outcome outcome = runTool(folder, {"env", "FISSURE_ENGINE_DIR=" + folder.path().string(),
                                              fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
     EXPECT_EQ(outcome.err, "") << at;
@@ -239,15 +245,15 @@ TEST(DamagedPart, FailsItsRunAloneWhereverItIsOverwritten) {
         << at << ": exit " << outcome.code << ", signal " << outcome.signal;
     const ResultInfo info = readResultInfo(folder / "out.h5");
     ASSERT_EQ(info.pipelines.size(), 2u) << at;
-    const std::string& status = info.pipelines[0].status.status;
-    EXPECT_TRUE(status == "ok" || status == "failed") << at << status;
-    EXPECT_EQ(outcome.code, status == "ok" ? 0 : 3) << at << info.pipelines[0].status.detail;
+    const RunStatus& status = info.pipelines[0].status;
     EXPECT_EQ(info.pipelines[1].status.status, "ok") << at;
+    EXPECT_EQ(outcome.code, status.status == "ok" ? 0 : 3) << at << status.detail;
     EXPECT_EQ(folder.names(), (Names{"fissure-engine-f64", "out.h5", "s.yaml"})) << at;
-    failed += status == "failed";
-    std::printf("%d %s %s\n", at, status.c_str(), info.pipelines[0].status.detail.c_str());
+    failed += status.status == "failed";
+    failed_in_copying += status.detail.starts_with("part file unreadable: ");
   }
-  EXPECT_GT(failed, 2) << "the damage did not bite";
+  EXPECT_GT(failed, 5) << "the damage did not bite";
+  EXPECT_GT(failed_in_copying, 0) << "the damage bit early: other shares of the length are needed";
 }
 
 TEST(OutputFolder, RemovedUnderWayIsOneLine) {
