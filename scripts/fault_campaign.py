@@ -98,6 +98,9 @@ def damage_part(damage):
     return fault
 
 
+STRUCTURES = 64000  # about so many bytes at the start of a part; the rest are mostly values
+
+
 def cut(part, _):
     os.truncate(part, part.stat().st_size // 2)
 
@@ -109,7 +112,7 @@ def overwrite(part, _):
 
 def overwrite_some(part, rng):
     with open(part, "r+b") as file:
-        file.seek(rng.randrange(part.stat().st_size))
+        file.seek(rng.randrange(min(STRUCTURES, part.stat().st_size)))
         file.write(b"\xff" * 64)
 
 
@@ -118,8 +121,7 @@ DAMAGING_ENGINE = """\
 "PROGRAMS/fissure-engine-f64" "$@" || exit
 while [ "$1" != --part ]; do shift; done
 case $2 in *0.part)
-    size=$(stat -c %s "$2")
-    head -c 64 /dev/zero | tr '\\0' '\\377' | dd of="$2" bs=1 seek=$((size * PER_MILLE / 1000)) conv=notrunc 2>/dev/null
+    head -c 64 /dev/zero | tr '\\0' '\\377' | dd of="$2" bs=1 seek=OFFSET conv=notrunc 2>/dev/null
 esac
 """
 
@@ -127,7 +129,7 @@ esac
 def damage_whole_part(trial):
     """Of the first run alone, after its worker has ended."""
     engine = DAMAGING_ENGINE.replace("PROGRAMS", str(trial.programs))
-    fake_engine(engine.replace("PER_MILLE", str(trial.rng.randrange(1000))))(trial)
+    fake_engine(engine.replace("OFFSET", str(trial.rng.randrange(STRUCTURES))))(trial)
 
 
 def limit_file_size(trial):
@@ -220,8 +222,8 @@ def other_faults(few):
         ("worker may not be executed", fake_engine("#!/bin/sh\n", mode=0o644), 1),
         ("part cut to its half under way", damage_part(cut), few),
         ("part overwritten from its start under way", damage_part(overwrite), few),
-        ("64 bytes of a part overwritten anywhere under way", damage_part(overwrite_some), 2 * few),
-        ("64 bytes of a whole part overwritten before assembly", damage_whole_part, 4 * few),
+        ("64 bytes in the first 64 kB of a part overwritten under way", damage_part(overwrite_some), 2 * few),
+        ("64 bytes in the first 64 kB of a whole part overwritten", damage_whole_part, 4 * few),
         ("part removed under way", damage_part(lambda part, rng: part.unlink()), few),
         ("folder of the parts removed under way", damage_part(lambda part, rng: shutil.rmtree(part.parent)), few),
         ("file size limit (ulimit -f), any", limit_file_size, 2 * few),

@@ -48,6 +48,13 @@ std::string only(const Names& names, const std::string& beginning) {
   return "";
 }
 
+/// Of the run under way into out.h5.
+fs::path folderOfParts(const Folder& folder) {
+  for (const std::string& name : folder.names())
+    if (name.starts_with(".out.h5.") && name != ".out.h5.lock") return folder / name;
+  return {};
+}
+
 void expectRefused(const Folder& folder, const std::vector<std::string>& words, const std::string& fragment) {
   const Outcome outcome = runFissure(folder, words);
   EXPECT_EQ(outcome.code, 2) << fragment;
@@ -185,14 +192,16 @@ TEST(Salvage, RefusesWhatItCannotUse) {
   folder.write("s.yaml", endlessScenario());
   Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});
   ASSERT_GT(run.waitForWorker(), 0);
-  while (only(folder.names(), ".out.h5.") == "" ||
-         !fs::exists(folder / only(folder.names(), ".out.h5.") / "0.part")) {
+  const fs::path part = folderOfParts(folder) / "0.part";
+  while (!fs::exists(part) && !endsSoon(run.process(), 0.005)) {
   }
+  ASSERT_TRUE(fs::exists(part));
   run.send(SIGKILL);
   run.wait();
   folder.write("text.part", "no part\n");
   folder.write("empty.part", "");
   ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "whole.h5", "--set", "time.duration_s=0.01"}).code, 0);
+  expectRefused(folder, {"salvage", fs::relative(part, folder.path()).string()}, "0.part: ");
   expectRefused(folder, {"salvage", "none.part"}, "none.part: no such file");
   expectRefused(folder, {"salvage", "."}, ".: not a file, expected a fissure result");
   expectRefused(folder, {"salvage", "text.part"}, "text.part: not an HDF5 file");
