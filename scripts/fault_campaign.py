@@ -25,6 +25,8 @@ import time
 
 from fault_trial import LONG_S, OUT, PIPELINES, REPLAYED, ROOT, SCRIPTED, SHORT_S, Trial, look
 
+BLOCK = 400000  # bytes of a part with a block of rows in it
+
 # The faults. Each starts a run and lets it happen.
 
 
@@ -42,8 +44,11 @@ def kill_front(trial):
     trial.kill([trial.front.pid])
 
 
-def kill_front_of_long_runs(trial):
-    kill_front(trial)
+def kill_front_after_a_block(trial):
+    trial.start("-j", "2")
+    trial.until(lambda: trial.part(BLOCK))
+    time.sleep(trial.rng.uniform(0, trial.time_s / 2))
+    trial.kill([trial.front.pid])
 
 
 def kill_both(trial):
@@ -198,7 +203,7 @@ def faults(kills):
     return [
         ("kill -9 of a worker", kill_worker, of_worker),
         ("kill -9 of the front", kill_front, of_front),
-        ("kill -9 of the front, long runs", kill_front_of_long_runs, of_late_front),
+        ("kill -9 of the front in a long run, after its first block", kill_front_after_a_block, of_late_front),
         ("kill -9 of the front while it writes the result", kill_front_at_the_end, at_the_end),
         ("kill -9 of front and workers, in any order", kill_both, of_both),
         *other_faults(max(1, kills // 33)),
@@ -236,9 +241,9 @@ def other_faults(few):
     ]
 
 
-KILLS = {kill_worker, kill_front, kill_front_of_long_runs, kill_front_at_the_end, kill_both}
+KILLS = {kill_worker, kill_front, kill_front_after_a_block, kill_front_at_the_end, kill_both}
 ROOT_ONLY = {fill_disk, read_only_folder}
-LONG = {kill_front_of_long_runs}
+LONG = {kill_front_after_a_block}
 
 
 def counted(values):
@@ -273,7 +278,7 @@ HEAD = """\
 
     /usr/bin/python3 scripts/fault_campaign.py --kills {kills} --seed {seed}
 
-Two pipelines of a small scenario ({steps:,} steps each; {long_steps:,} in the long runs), one fault, then a look.
+Two pipelines of a small scenario ({steps:,} steps each; {long_steps:,} in long runs), one fault, then a look.
 Moments are drawn at random over the length of an undisturbed run ({short_s:.1f} and {long_s:.1f} s here); a kill that
 came after the end was drawn again. Exit: of the front, negative for a signal. Recorded: in the result, of each run
 that is not ok ("no file": nothing stands under the result's name). Incomplete: files under a final name that are not

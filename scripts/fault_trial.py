@@ -101,9 +101,15 @@ class Trial:
     def sometime(self):
         time.sleep(self.rng.uniform(0, self.time_s))
 
-    def part(self):
-        found = list((self.folder / "out").glob(".run.h5.*/*.part"))
-        return found[0] if found and found[0].stat().st_size > 20000 else None
+    def part(self, at_least=20000):
+        """One that has grown to so many bytes."""
+        try:
+            for part in (self.folder / "out").glob(".run.h5.*/*.part"):
+                if part.stat().st_size > at_least:
+                    return part
+        except OSError:  # just removed
+            pass
+        return None
 
     def kill(self, pids, number=signal.SIGKILL):
         self.hit = bool(pids) and self.front.poll() is None

@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdint>
 #include <cstring>
 #include <exception>
 #include <string>
@@ -22,9 +23,6 @@ namespace {
 constexpr char done = 'd';
 constexpr char bad_input = 'i';
 constexpr char failed = 'f';
-
-/// Of processor time: a slow disk is no loop.
-constexpr unsigned long most_for_reading_s = 3;
 
 /// What `work` threw: its kind, then the message.
 std::string outcomeOf(const std::function<void()>& work) {
@@ -83,9 +81,17 @@ void doApart(const std::function<void()>& work, unsigned long most_s) {
   if (outcome.front() == failed) throw RunError(outcome.substr(1));
 }
 
+unsigned long patience_s(const std::filesystem::path& file) {
+  constexpr unsigned long at_least_s = 3;
+  constexpr unsigned long megabyte = 1000000;
+  std::error_code missing;
+  const std::uintmax_t bytes = std::filesystem::file_size(file, missing);
+  return missing ? at_least_s : at_least_s + bytes / megabyte;
+}
+
 void tryReading(const std::filesystem::path& file, const std::function<void()>& read) {
   try {
-    doApart(read, most_for_reading_s);
+    doApart(read, patience_s(file));
   } catch (const RunError& error) {
     throw InputError(file.string() + ": a damaged file (" + error.what() + ")");
   }

@@ -12,24 +12,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Far beyond what a whole part takes: some milliseconds a megabyte.
-unsigned long patience_s(const std::vector<PartResult>& parts) {
-  constexpr unsigned long at_least_s = 5;
-  constexpr unsigned long megabyte = 1000000;
-  unsigned long bytes = 0;
-  for (const PartResult& result : parts) {
-    std::error_code missing;
-    const auto size = result.part ? fs::file_size(*result.part, missing) : 0;
-    if (!missing) bytes += size;
-  }
-  return at_least_s + bytes / megabyte;
+unsigned long patienceFor_s(const std::vector<PartResult>& parts) {
+  unsigned long sum_s = 1;
+  for (const PartResult& result : parts) sum_s += result.part ? patience_s(*result.part) : 1;
+  return sum_s;
 }
 
 /// `assemble` writes `output` from `parts`; nothing half written stays behind.
 void writeApart(const fs::path& output, const std::vector<PartResult>& parts,
                 const std::function<void()>& assemble) {
   try {
-    doApart(assemble, patience_s(parts));
+    doApart(assemble, patienceFor_s(parts));
   } catch (const LostApart& lost) {
     removeHalfWritten(output, lost.process());
     throw;
