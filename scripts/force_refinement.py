@@ -5,13 +5,15 @@
 
 Presses the spatula of configs/spatula_press.yaml to one depth into spheres of 128 to 8,192 triangles, with the tool's nodes
 as dense against the tissue's edges on every mesh, and compares the force held at the end. The coefficients of the laws per
-area are the paper's over the mean triangle of the coarsest mesh, so that both begin at about the same force. Writes
-results/force_refinement/README.md (table), refinement.csv and refinement.png.
+area are the paper's over the mean triangle of the coarsest mesh, so that both begin at about the same force. Beside it, from a test,
+the laws alone on a prescribed deformation. Writes results/force_refinement/README.md (tables), refinement.{csv,png} and
+prescribed.{csv,png}.
 """
 import argparse
 import csv
 import json
 import math
+import os
 import pathlib
 import subprocess
 import tempfile
@@ -35,6 +37,7 @@ LAWS = {
     "corotated_per_area": {"k": K / AREA_M2, "lambda": LAMBDA / AREA_M2, "deformation": "corotated", "per_area": True},
 }
 COLOURS = {"paper": "#D55E00", "per_area": "#0072B2", "corotated": "#E69F00", "corotated_per_area": "#009E73"}
+TEST = "PerArea.ConvergesToTheSurfaceIntegralWhileThePapersSumGrows"
 HELD_S = 0.1  # of the hold at the end, averaged
 
 
@@ -91,7 +94,42 @@ def table(rows):
     return "\n".join(lines)
 
 
-def write(folder, rows):
+def prescribed_rows(folder):
+    """The laws alone: the test of their convergence keeps its table."""
+    command = [ROOT / "build/release/tests/test_contact", f"--gtest_filter={TEST}"]
+    environment = os.environ | {"FISSURE_PER_AREA_TABLE": str(folder / "prescribed.csv")}
+    subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, check=True)
+    with open(folder / "prescribed.csv", newline="") as file:
+        return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+
+def prescribed_table(rows):
+    lines = ["| triangles | per_area | its error | paper |", "|---|---|---|---|"]
+    for row in rows:
+        error = 100 * (row["per_area_N"] / row["exact_N"] - 1)
+        lines.append(f"| {row['triangles']:.0f} | {row['per_area_N']:.4f} N | {error:.2f} % | {row['paper_N']:.1f} N |")
+    return "\n".join(lines)
+
+
+def draw_prescribed(path, rows):
+    figure, axis = plt.subplots(figsize=(6.4, 4.2))
+    triangles = [row["triangles"] for row in rows]
+    axis.plot(triangles, [row["paper_N"] for row in rows], "-", marker="o", color=COLOURS["paper"], label="paper")
+    axis.plot(triangles, [row["per_area_N"] for row in rows], "-", marker="o", color=COLOURS["per_area"], label="per_area")
+    axis.axhline(rows[0]["exact_N"], color="black", linewidth=0.8, linestyle=":", label="surface integral of the law")
+    axis.set_xscale("log", base=2)
+    axis.set_yscale("log")
+    axis.set_xticks(triangles, [f"{n:,.0f}" for n in triangles])
+    axis.minorticks_off()
+    axis.set_xlabel("triangles of the sphere")
+    axis.set_ylabel("force on a prescribed deformation [N]")
+    axis.grid(alpha=0.3)
+    axis.legend(frameon=False, fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
+
+
+def write(folder, rows, prescribed):
     with open(folder / "refinement.csv", "w", newline="") as file:
         writer = csv.DictWriter(file, fieldnames=list(rows[0]), lineterminator="\n")
         writer.writeheader()
@@ -117,10 +155,17 @@ slowly. The reason is which triangles count: all with at least one vertex in con
 face (6 cm2) and a strip around it about two edges wide, which each refinement halves: an error of first order in the edge length.
 
 These are runs of the whole simulation: with the mesh the tissue changes too, a shell of springs of one stiffness whatever their
-length, and with it how far it is displaced (the two columns of deformation). A limit of the whole is therefore not shown here. What the
-laws do alone, on prescribed deformations, is in tests/contact/per_area_test.cpp: the sum per area converges to the surface integral
-with second order where deformation goes smoothly to zero at the edge of contact, with first order where tissue moves beyond it too;
-the paper's sum grows with the number of triangles.
+length, and with it how far it is displaced (the two columns of deformation). A limit of the whole is therefore not shown here.
+
+## The laws alone
+
+The same sphere with its top pushed in by a prescribed map (tests/contact/per_area_test.cpp), which a mesh can only follow better: the sum
+per area converges to the surface integral of the law, with second order; the paper's sum grows with the number of triangles. (With
+first order where tissue moves beyond the edge of contact too.)
+
+{prescribed_table(prescribed)}
+
+![Force on prescribed deformation over the number of triangles](prescribed.png)
 """
     (folder / "README.md").write_text(text)
 
@@ -155,9 +200,11 @@ def main():
     for subdivisions in arguments.subdivisions:
         rows.append(run(subdivisions))
         print(f"{rows[-1]['triangles']} triangles: done", flush=True)
-    write(folder, rows)
+    prescribed = prescribed_rows(folder)
+    write(folder, rows, prescribed)
     draw(folder / "refinement.png", rows)
-    print("written: results/force_refinement/README.md, refinement.csv, refinement.png")
+    draw_prescribed(folder / "prescribed.png", prescribed)
+    print("written: results/force_refinement/README.md, refinement.{csv,png}, prescribed.{csv,png}")
 
 
 if __name__ == "__main__":

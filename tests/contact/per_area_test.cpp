@@ -2,7 +2,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <numbers>
+#include <sstream>
 
 #include "contact/triangle_forces.h"
 #include "mesh/primitives.h"
@@ -68,8 +71,12 @@ Totals totalsOn(int subdivisions, double (*map_m)(double)) {
 TEST(PerArea, ConvergesToTheSurfaceIntegralWhileThePapersSumGrows) {
   const double exact_N = surfaceIntegral(indentation);
   double last_error = 0, last_paper_N = 0;
+  std::ostringstream table;
+  table << "triangles,exact_N,per_area_N,paper_N\n";
   for (const int subdivisions : {2, 3, 4, 5}) {
     const Totals totals = totalsOn(subdivisions, indentation);
+    table << 8 * (1 << (2 * subdivisions)) << ',' << exact_N << ',' << totals.per_area_N << ','
+          << totals.paper_N << '\n';
     const double error = std::abs(totals.per_area_N / exact_N - 1);
     if (subdivisions > 2) {
       EXPECT_NEAR(last_error / error, 4, 0.5) << subdivisions;
@@ -79,6 +86,7 @@ TEST(PerArea, ConvergesToTheSurfaceIntegralWhileThePapersSumGrows) {
     last_paper_N = totals.paper_N;
   }
   EXPECT_LT(last_error, 0.002);
+  if (const char* file = std::getenv("FISSURE_PER_AREA_TABLE")) std::ofstream(file) << table.str();
 }
 
 // Triangles with one vertex in contact count whole: a strip around the contact as wide as they are, that
