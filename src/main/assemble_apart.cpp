@@ -4,7 +4,7 @@
 #include <string>
 
 #include "base/error.h"
-#include "main/apart.h"
+#include "process/apart.h"
 
 namespace fissure {
 

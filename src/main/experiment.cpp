@@ -4,8 +4,8 @@
 #include <fstream>
 
 #include "base/error.h"
-#include "main/apart.h"
 #include "main/assemble_apart.h"
+#include "process/apart.h"
 #include "process/engine_program.h"
 #include "store/salvage.h"
 

@@ -2,11 +2,11 @@
 #include <iostream>
 #include <memory>
 
-#include "main/apart.h"
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
 #include "main/verbs.h"
+#include "process/apart.h"
 
 namespace fissure {
 

@@ -3,13 +3,13 @@
 #include <memory>
 
 #include "base/error.h"
-#include "main/apart.h"
 #include "main/assemble_apart.h"
 #include "main/exit_codes.h"
 #include "main/output_slot.h"
 #include "main/provenance.h"
 #include "main/result_table.h"
 #include "main/verbs.h"
+#include "process/apart.h"
 #include "store/salvage.h"
 
 namespace fissure {

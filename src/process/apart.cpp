@@ -1,4 +1,4 @@
-#include "main/apart.h"
+#include "process/apart.h"
 
 #include <fcntl.h>
 #include <sys/prctl.h>
