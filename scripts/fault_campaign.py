@@ -97,6 +97,7 @@ def damage_part(damage):
     def fault(trial):
         trial.start()
         part = trial.until(trial.part)
+        trial.hit = bool(part)
         if part:
             damage(part, trial.rng)
 

@@ -182,7 +182,10 @@ def result_status(trial, file):
 
 
 def is_beginning(part, whole):
+    """Is all that a part holds, and it holds something, how the whole begins?"""
     with h5py.File(part) as one, h5py.File(whole) as other:
+        if any("time" not in group or len(group["time"]) == 0 for group in one["pipelines"].values()):
+            return False
         for name, group in one["pipelines"].items():
             for key, dataset in group.items():
                 if not isinstance(dataset, h5py.Dataset) or dataset.dtype.kind not in "fiu":

@@ -49,8 +49,9 @@ struct State {
   int infeasible_count = 0;                  ///< of these, excluded by their pair
   int contact_count = 0;                     ///< acting on the tissue: of these, and of tissue vertices
   int capped_count = 0;                      ///< of these, limited by the displacement cap
-  Vec3 reaction_on_tool_N =
-      Vec3::Zero();                 ///< momentum the tool contacts took from the tissue in the step, over dt
+  /// Momentum the tool contacts took from the tissue in the step, over dt; with response none mass times
+  /// displacement over dt squared, which takes none; NaN where the engine does not say.
+  Vec3 reaction_on_tool_N = Vec3::Zero();
   std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
   std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
   int colliding_triangles = 0;      ///< with at least one vertex in a colliding state; 0 without force laws

@@ -23,8 +23,6 @@ struct ContactPatch {
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex belongs to a contact
   std::vector<ToolTouch> tools;              ///< one a tool; empty where no force law asks
 
-  bool hasNormals() const { return !tools.empty(); }
-
   /// `tools_with_normals`: the number of tools where force laws ask for normals, else 0.
   void resize(int vertices, int faces, std::size_t tools_with_normals) {
     vertex_contact.resize(vertices);

@@ -12,7 +12,7 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
       node_count_(scene.nodeCount()) {
   if (settings_.vertex_contacts) {
     vertex_sides_.emplace(scene, settings_.margins_m);
-    rim_edges_.emplace(scene, settings_.margins_m);
+    rim_edges_.emplace(scene, settings_.margins_m, settings_.max_displacement_m);
   }
   if (settings_.response == ContactResponse::momentum)
     impulses_.emplace(scene.vertexCount(), settings_.sweeps);

@@ -6,7 +6,8 @@
 
 namespace fissure {
 
-RimEdges::RimEdges(const Scene& scene, const std::vector<double>& margins_m) {
+RimEdges::RimEdges(const Scene& scene, const std::vector<double>& margins_m, double max_displacement_m)
+    : max_displacement_m_(max_displacement_m) {
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const SceneBody& body = scene.bodies[b];
     for (const Face& face : body.rest.faces) {
@@ -65,12 +66,15 @@ void RimEdges::findOn(const Box& box, const ToolState& tool,
         if (face < 0) continue;
         const double side = face % 2 == 0 ? 1 : -1;
         const Vec3 normal = side * Vec3::Unit(face / 2);
-        constraints.push_back({.vertices = {edge.vertices[0], edge.vertices[1], edge.vertices[1]},
-                               .weights = {1 - share, share, 0},
-                               .position_m = tool.pose.toScene(box.half_m[face / 2] * normal),
-                               .normal = tool.pose.rotateToScene(normal),
-                               .tool = box.tool,
-                               .target_m = edge.margin_m});
+        const double gap_m = side * point_m[face / 2] - box.half_m[face / 2];
+        const double approach_m = std::max(0.0, side * (came_from_m[face / 2] - point_m[face / 2]));
+        constraints.push_back(
+            {.vertices = {edge.vertices[0], edge.vertices[1], edge.vertices[1]},
+             .weights = {1 - share, share, 0},
+             .position_m = tool.pose.toScene(box.half_m[face / 2] * normal),
+             .normal = tool.pose.rotateToScene(normal),
+             .tool = box.tool,
+             .target_m = std::min(edge.margin_m, gap_m + approach_m + max_displacement_m_)});
       }
     }
   }

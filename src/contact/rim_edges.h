@@ -15,8 +15,9 @@ namespace fissure {
 /// crossing point is held in front of the large face it came from. One object belongs to one run.
 class RimEdges {
  public:
-  /// margins_m: one a body.
-  RimEdges(const Scene& scene, const std::vector<double>& margins_m);
+  /// margins_m: one a body. max_displacement_m: how far a crossing may be pushed in a step beyond its own
+  /// approach, as NodeContactSettings says.
+  RimEdges(const Scene& scene, const std::vector<double>& margins_m, double max_displacement_m);
 
   /// Appends one constraint for each crossing. Arguments as NodeRays::cast.
   void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
@@ -35,6 +36,7 @@ class RimEdges {
   };
   void findOn(const Box& box, const ToolState& now, std::vector<ContactConstraint>& constraints) const;
 
+  double max_displacement_m_;
   std::vector<Box> boxes_;
   std::vector<Edge> edges_;
   std::vector<Vec3> local_m_, local_before_m_;  ///< the tissue in one box's frame, now and before

@@ -73,12 +73,24 @@ class PrescribedPipeline : public Pipeline {
     }
     std::size_t vertex = 0;
     for (const auto& body : world_.bodies()) {
+      bool more = false;
       for (int i = 0; i < body->m_nodes.size(); ++i) {
         const std::optional<Held>& held = held_[vertex++];
         if (!held) continue;
+        more = more || body->m_nodes[i].m_im > 0;
         body->m_nodes[i].m_im = 0;
         body->m_nodes[i].m_x = toBullet(now_[held->tool].pose.toScene(held->position_m));
       }
+      if (more) tellLinks(*body);
+    }
+  }
+
+  // Links keep the mobility of their ends, as it was when they were made. Where both ends are held any
+  // positive number serves: they do not move.
+  static void tellLinks(btSoftBody& body) {
+    body.updateLinkConstants();
+    for (int i = 0; i < body.m_links.size(); ++i) {
+      if (!(body.m_links[i].m_c0 > 0)) body.m_links[i].m_c0 = btScalar(1e-12);
     }
   }
 

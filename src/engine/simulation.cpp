@@ -1,7 +1,9 @@
 #include "engine/simulation.h"
 
+#include <cmath>
 #include <stdexcept>
 
+#include "base/error.h"
 #include "contact/triangle_forces.h"
 #include "engine/pipeline.h"
 
@@ -11,8 +13,7 @@ const std::vector<PipelineFactory>& pipelineFactories() {
   static const std::vector<PipelineFactory> factories = {
       {"default", nullptr, &makeSdfPipeline},     {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
       {"cluster", nullptr, &makeClusterPipeline}, {"raycast", nullptr, &makeNodePipeline},
-      {"fukuhara", nullptr, &makeNodePipeline},
-      {"prescribed", nullptr, &makePrescribedPipeline},
+      {"fukuhara", nullptr, &makeNodePipeline},   {"prescribed", nullptr, &makePrescribedPipeline},
   };
   return factories;
 }
@@ -78,6 +79,9 @@ class BulletSimulation : public Simulation {
     state_.positions_m.resize(scene.vertexCount());
     state_.velocities_m_s.resize(scene.vertexCount());
     for (const double inverse_mass : world_->inverseMasses()) {
+      if (!(inverse_mass > 0 && std::isfinite(inverse_mass)))
+        throw InputError("bodies: the mass of a vertex or its inverse is no number in precision " +
+                         enginePrecision() + ", expected another mass_kg");
       state_.masses_kg.push_back(inverse_mass > 0 ? 1 / inverse_mass : 0);
     }
     state_.node_states.assign(scene.nodeCount(), NodeState::free);

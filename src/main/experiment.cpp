@@ -30,6 +30,22 @@ void writeText(const fs::path& file, const std::string& text) {
   if (!stream.flush()) throw RunError(file.string() + ": cannot write, is the disk full?");
 }
 
+/// Where the part of a run into `output` is kept when the run does not end.
+fs::path keptPart(const fs::path& output, const std::string& run) {
+  fs::path kept = output;
+  kept += "." + run + ".part";
+  return kept;
+}
+
+/// A part kept by an earlier attempt may hold more than this one will.
+void refuseKeptParts(const Scenario& scenario, const fs::path& output) {
+  for (const PipelineSettings& pipeline : scenario.pipelines) {
+    const fs::path kept = keptPart(output, pipeline.name);
+    if (fs::exists(kept))
+      throw InputError(kept.string() + ": kept by an earlier run, salvage it, remove it or use --force");
+  }
+}
+
 /// `text` without the names of `folder` in it: what a worker says is stored with the result, which must not
 /// depend on where it was made.
 std::string without(std::string text, const fs::path& folder) {
@@ -59,6 +75,7 @@ Experiment::Experiment(CheckedScenario checked, const fs::path& output, const Ou
       keep_parts_(rules.keep_parts),
       open_(checked_.loaded.scenario.pipelines.size()) {
   refuseInputsAsOutput(checked_.loaded, output);
+  if (keep_parts_ && !rules.replace) refuseKeptParts(checked_.loaded.scenario, output);
   input_hashes_ = inputHashes(checked_.loaded);
   slot_ = std::make_unique<OutputSlot>(output, rules.replace);
   writeText(resolvedFile(), checked_.loaded.resolved);
@@ -160,8 +177,7 @@ void Experiment::noteUnreadableParts() {
 
 /// Of a run that is in the result, a part kept by an earlier attempt is of no use any more.
 void Experiment::keepPart(std::size_t index, const fs::path& name) {
-  fs::path kept = name;
-  kept += "." + results_[index].pipeline.name + ".part";
+  const fs::path kept = keptPart(name, results_[index].pipeline.name);
   std::error_code error;
   if (info_ && results_[index].part) {
     fs::remove(kept, error);

@@ -53,7 +53,8 @@ struct PipelineSettings {
     return response.value_or(pipeline == "fukuhara" ? "momentum" : "none");
   }
 
-  /// Writes these defaults into their fields, so that a stored scenario says every number that was used.
+  /// Writes these defaults into their fields, so that a stored scenario says every number that was used (but
+  /// for leastClusterIterations, which `settings` stands for).
   void fillDefaults() {
     if (usesNodes()) {
       vertex_contacts = vertexContacts();

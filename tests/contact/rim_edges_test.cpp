@@ -6,6 +6,7 @@ namespace fissure {
 namespace {
 
 constexpr double kMargin_m = 0.001;
+constexpr double kLimit_m = 0.005;
 
 /// One tissue edge (the third vertex of its triangle is far away) and a plate of 80 x 5 x 80 mm around the
 /// origin; its rim is at z = 40 mm.
@@ -16,7 +17,7 @@ class RimEdgesTest : public testing::Test {
         {.name = "tissue",
          .rest = {.vertices_m = {{1, 1, 1}, {1, 1, 2}, {0.01, -1, 0}}, .faces = {{0, 1, 2}, {1, 0, 2}}}});
     scene.tools.push_back({.name = "plate", .surface = {}, .box_size_m = Vec3(0.08, 0.005, 0.08)});
-    edges.emplace(scene, std::vector<double>{kMargin_m});
+    edges.emplace(scene, std::vector<double>{kMargin_m}, kLimit_m);
   }
   const std::vector<ContactConstraint>& find(const Vec3& a, const Vec3& b, const Vec3& way) {
     const std::vector<Vec3> now = {a, b, {0.01, -1, 0}};
@@ -46,6 +47,18 @@ TEST_F(RimEdgesTest, ACreaseOverTheRimIsHeldInFrontOfTheFaceItCameFrom) {
 TEST_F(RimEdgesTest, ACreaseThatWasInsideBeforeIsOnTheNearerSide) {
   ASSERT_EQ(find({0.01, -0.005, 0.034}, {0.01, 0.003, 0.042}, {0, 0, 0}).size(), 1u);
   EXPECT_EQ(found[0].normal, Vec3(0, 1, 0)) << "1 mm above the middle";
+}
+
+// A plate 20 mm thick that starts with the edge 2 mm above its middle: 8 mm to its face, 5 of them in a step.
+TEST_F(RimEdgesTest, WhatTheStepDidNotBringIsUndoneInSeveralSteps) {
+  scene.tools[0].box_size_m = Vec3(0.1, 0.02, 0.1);
+  edges.emplace(scene, std::vector<double>{kMargin_m}, kLimit_m);
+  const Vec3 a(0.01, -0.004, 0.044), b(0.01, 0.004, 0.052);  // crosses z = 50 mm at y = 2 mm
+  ASSERT_EQ(find(a, b, {0, 0, 0}).size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec3(0, 1, 0));
+  EXPECT_NEAR(found[0].target_m, -0.008 + kLimit_m, 1e-12);
+  ASSERT_EQ(find(a, b, {0, -0.0015, 0}).size(), 1u);
+  EXPECT_NEAR(found[0].target_m, -0.008 + 0.0015 + kLimit_m, 1e-12) << "and what the step brought";
 }
 
 TEST_F(RimEdgesTest, AnEdgeThatComesFromTheSideIsHeldAtTheSide) {

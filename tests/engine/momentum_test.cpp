@@ -49,7 +49,6 @@ class World {
     simulation_ = makeSimulation(scenario_, entry, scene_, {pose_});
   }
 
-  BodySettings& body() { return scenario_.bodies[0]; }
   void step(const Vec3& tool_velocity_m_s = Vec3::Zero()) {
     pose_.position_m += kStep_s * tool_velocity_m_s;
     simulation_->step({pose_});

@@ -190,15 +190,20 @@ TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
 // clusters collide.
 TEST(Simulation, ClustersCollideWithTheBlade) {
   Press press("cluster", "stock");
-  int contacts = 0;
+  int contacts = 0, pushes = 0;
   for (int i = 0; i < 40; ++i) {
     const State& state = press.step();
     contacts += state.contact_count;
     const auto colliding = std::count(state.vertex_contact.begin(), state.vertex_contact.end(), 1);
     EXPECT_EQ(colliding > 0, state.contact_count > 0) << "step " << i;
     EXPECT_TRUE(std::isnan(state.reaction_on_tool_N.y())) << "Bullet does not say it";
+    if (state.forces[0].elastic_N > 0) {
+      ++pushes;
+      EXPECT_GT(state.forces[0].force_on_tool_N.y(), 0) << "tissue below pushes the blade up";
+    }
   }
   EXPECT_GT(contacts, 0);
+  EXPECT_GT(pushes, 0);
 }
 
 // A sphere falls from 5 mm above onto another that stands on the ground: it goes into it unless both are told

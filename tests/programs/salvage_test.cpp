@@ -162,6 +162,8 @@ TEST(Salvage, StoppedRunKeepsItsPartOnRequestOnly) {
               keep);
     EXPECT_EQ(folder.names(), keep ? (Names{"out.h5.fukuhara.part", "s.yaml"}) : Names{"s.yaml"});
   }
+  expectRefused(folder, {"run", "s.yaml", "-o", "out.h5", "--keep-parts"},
+                "out.h5.fukuhara.part: kept by an earlier run");
   EXPECT_EQ(runFissure(folder, {"salvage", "out.h5.fukuhara.part", "-o", "salvaged.h5"}).code, 0);
 }
 

@@ -165,6 +165,29 @@ TEST(Validate, SolverSettings) {
   });
 }
 
+TEST(Validate, ClusterSettingsAndSoftContact) {
+  const auto clusters = [](auto field, auto value) {
+    return [=](Scenario& s) { s.bodies[0].clusters.*field = value; };
+  };
+  using C = ClusterSettings;
+  expectProblems({
+      {"bodies.ball.soft_contact", [](Scenario& s) { s.bodies[0].soft_contact = "vertex"; }},
+      {"bodies.ball.clusters.count", clusters(&C::count, -1)},
+      {"bodies.ball.clusters.count", clusters(&C::count, 65537)},
+      {"bodies.ball.clusters.iterations", clusters(&C::iterations, 0)},
+      {"bodies.ball.clusters.rigid_hardness", clusters(&C::rigid_hardness, 1.5)},
+      {"bodies.ball.clusters.kinematic_hardness", clusters(&C::kinematic_hardness, -0.1)},
+      {"bodies.ball.clusters.soft_hardness", clusters(&C::soft_hardness, nan)},
+      {"bodies.ball.clusters.rigid_split", clusters(&C::rigid_split, 2.0)},
+      {"bodies.ball.clusters.kinematic_split", clusters(&C::kinematic_split, -1.0)},
+      {"bodies.ball.clusters.soft_split", clusters(&C::soft_split, nan)},
+      {"bodies.ball.clusters.node_damping", clusters(&C::node_damping, 1.1)},
+      {"bodies.ball.clusters.linear_damping", clusters(&C::linear_damping, -0.1)},
+      {"bodies.ball.clusters.angular_damping", clusters(&C::angular_damping, infinity)},
+      {"bodies.ball.clusters.matching", clusters(&C::matching, 1.01)},
+  });
+}
+
 TEST(Validate, TriangleArrays) {
   const TrianglesShape tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
                                    {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}};
