@@ -114,7 +114,8 @@ passed right through; [n]: up to n tissue triangles inverted, where depth can hi
   nodes look sideways. That is where the full method, made for thin tools, ends.
 * In single precision the tissue itself shrinks from 512 triangles up, before any contact: to a tenth of its volume with 2,048. It is
   Bullet's pose matching (`pose_matching: 0` keeps the volume); tools then meet nothing, and a depth of 0 there means nothing.
-* Finer tissue needs finer nodes: 16 x 16 stand 2.7 mm apart along the blade, the edges of 2,048 triangles are 2.5 mm long.
+* At 10 m/s, 10 mm in a step, the full method leaves 0.3 to 2.2 mm on 512 and 2,048 triangles, whose edges (about 7 and 3.5 mm) come
+  near the distance of its 16 x 16 nodes (2.7 mm along the blade).
 """
 
 
