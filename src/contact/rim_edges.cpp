@@ -62,8 +62,11 @@ void RimEdges::findOn(const Box& box, const ToolState& tool,
         const Vec3& a_before = local_before_m_[edge.vertices[0]];
         const Vec3 came_from_m = a_before + share * (local_before_m_[edge.vertices[1]] - a_before);
         int face = 2 * thin + (came_from_m[thin] < 0 ? 1 : 0);
-        if (!boxHolds(reach_m, came_from_m)) face = boxEntryFace(reach_m, came_from_m, point_m);
+        const bool was_inside = boxHolds(reach_m, came_from_m);
+        if (!was_inside) face = boxEntryFace(reach_m, came_from_m, point_m);
         if (face < 0) continue;
+        // Deeper than what contacts leave, the tool was put into the tissue: its nodes push it free.
+        if (was_inside && reach_m[thin] - std::abs(came_from_m[thin]) > 2 * edge.margin_m) continue;
         const double side = face % 2 == 0 ? 1 : -1;
         const Vec3 normal = side * Vec3::Unit(face / 2);
         const double gap_m = side * point_m[face / 2] - box.half_m[face / 2];

@@ -12,7 +12,8 @@ namespace fissure {
 
 /// Beyond the paper: contacts where an edge of the tissue crosses the rim of a box tool's large faces in
 /// between its nodes. Such a crease cuts into the tool though no tissue vertex does and no node sees it. The
-/// crossing point is held in front of the large face it came from. One object belongs to one run.
+/// crossing point is held in front of the large face it came from. Where a tool was put into tissue, deeper
+/// than contacts leave it, edges are free: the nodes push the tool out. One object belongs to one run.
 class RimEdges {
  public:
   /// margins_m: one a body. max_displacement_m: how far a crossing may be pushed in a step beyond its own

@@ -45,20 +45,27 @@ TEST_F(RimEdgesTest, ACreaseOverTheRimIsHeldInFrontOfTheFaceItCameFrom) {
 }
 
 TEST_F(RimEdgesTest, ACreaseThatWasInsideBeforeIsOnTheNearerSide) {
-  ASSERT_EQ(find({0.01, -0.005, 0.034}, {0.01, 0.003, 0.042}, {0, 0, 0}).size(), 1u);
-  EXPECT_EQ(found[0].normal, Vec3(0, 1, 0)) << "1 mm above the middle";
+  ASSERT_EQ(find({0.01, -0.004, 0.034}, {0.01, 0.004, 0.042}, {0, 0, 0}).size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec3(0, 1, 0)) << "2 mm above the middle, 0.5 mm below the face";
 }
 
-// A plate 20 mm thick that starts with the edge 2 mm above its middle: 8 mm to its face, 5 of them in a step.
-TEST_F(RimEdgesTest, WhatTheStepDidNotBringIsUndoneInSeveralSteps) {
+// A plate 20 mm thick, put into the tissue so that the edge crosses its rim 2 mm above its middle.
+TEST_F(RimEdgesTest, AnEdgeDeepInsideFromTheStartIsFree) {
   scene.tools[0].box_size_m = Vec3(0.1, 0.02, 0.1);
   edges.emplace(scene, std::vector<double>{kMargin_m}, kLimit_m);
-  const Vec3 a(0.01, -0.004, 0.044), b(0.01, 0.004, 0.052);  // crosses z = 50 mm at y = 2 mm
-  ASSERT_EQ(find(a, b, {0, 0, 0}).size(), 1u);
+  const Vec3 a(0.01, -0.004, 0.044), b(0.01, 0.004, 0.052);
+  EXPECT_TRUE(find(a, b, {0, 0, 0}).empty());
+  ASSERT_EQ(find(a, b, {0, -0.012, 0}).size(), 1u) << "it came in from above in this step";
   EXPECT_EQ(found[0].normal, Vec3(0, 1, 0));
-  EXPECT_NEAR(found[0].target_m, -0.008 + kLimit_m, 1e-12);
-  ASSERT_EQ(find(a, b, {0, -0.0015, 0}).size(), 1u);
-  EXPECT_NEAR(found[0].target_m, -0.008 + 0.0015 + kLimit_m, 1e-12) << "and what the step brought";
+  EXPECT_EQ(found[0].target_m, kMargin_m);
+}
+
+// The same plate: what one step did not bring is undone only as far as the limit.
+TEST_F(RimEdgesTest, APushBeyondTheApproachIsLimited) {
+  edges.emplace(scene, std::vector<double>{kMargin_m}, 0.0003);
+  ASSERT_EQ(find({0.01, -0.005, 0.034}, {0.01, 0.005, 0.042}, {0, 0, 0}).size(), 1u);
+  EXPECT_EQ(found[0].normal, Vec3(0, 1, 0)) << "2.5 mm above the middle: at the face";
+  EXPECT_NEAR(found[0].target_m, 0.0003, 1e-9) << "the margin of 1 mm in several steps";
 }
 
 TEST_F(RimEdgesTest, AnEdgeThatComesFromTheSideIsHeldAtTheSide) {
