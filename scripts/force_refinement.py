@@ -150,8 +150,8 @@ in brackets: over that of the row above.
 
 ![Held force over the number of triangles](refinement.png)
 
-The paper's sum grows with the mesh, corotated or not. The sum per area does not: it falls, per_area by differences that
-become smaller, corotated_per_area less evenly. The reason is which triangles count: all with at least one vertex in contact, so that the area that counts is the blade's
+The paper's sum grows with the mesh, corotated or not. The sum per area does not: per_area falls by
+differences that become smaller, corotated_per_area unevenly. The reason is which triangles count: all with at least one vertex in contact, so that the area that counts is the blade's
 face (6 cm2) and a strip around it about two edges wide, which each refinement halves: an error of first order in the edge length.
 
 These are runs of the whole simulation: with the mesh the tissue changes too, a shell of springs of one stiffness whatever their
