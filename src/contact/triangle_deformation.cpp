@@ -41,7 +41,7 @@ void TriangleDeformation::update(const State& state) {
 
 Vec3 TriangleDeformation::rate(std::size_t triangle, RateSource source, const State& state) const {
   if (source == RateSource::differences) return (now_m_[triangle] - last_m_[triangle]) / step_s_;
-  const Vec3 velocity_m_s = centroid(triangle, state.velocities_m_s);
+  Vec3 velocity_m_s = centroid(triangle, state.velocities_m_s);
   if (kind_ == DeformationKind::paper) return velocity_m_s;
   return fits_[triangles_[triangle].body].velocityInRest(centroid(triangle, state.positions_m), velocity_m_s);
 }

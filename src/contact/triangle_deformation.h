@@ -39,7 +39,7 @@ class TriangleDeformation {
 
  private:
   struct Triangle {
-    Face face;  ///< vertex indices into State arrays
+    Face face{};  ///< vertex indices into State arrays
     int body = 0;
   };
   Vec3 centroid(std::size_t triangle, const std::vector<Vec3>& of_vertices) const;

@@ -71,9 +71,7 @@ void work(const std::string& file, const std::string& directory, const std::stri
                .progress = ProgressLines()});
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int parseAndWork(int argc, const char* const* argv) {
   CLI::App app("fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
   std::string scenario, directory, pipeline, part;
   app.add_option("--scenario", scenario, "scenario file, resolved")->required();
@@ -82,10 +80,18 @@ int main(int argc, char** argv) {
   app.add_option("--part", part, "part file to write")->required();
   try {
     app.parse(argc, argv);
-    work(scenario, directory, pipeline, part);
-    return 0;
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
+  }
+  work(scenario, directory, pipeline, part);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return parseAndWork(argc, argv);
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
     return 2;

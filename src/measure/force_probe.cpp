@@ -9,10 +9,10 @@ namespace {
 
 /// A series with one value a law, and where the value comes from.
 struct Term {
-  const char* name;
-  const char* units;
-  const char* long_name;
-  double (*of)(const ForceSample&);
+  const char* name = "";
+  const char* units = "";
+  const char* long_name = "";
+  double (*of)(const ForceSample&) = nullptr;
   ValueType type = ValueType::real;
 };
 

@@ -50,7 +50,7 @@ std::string outcomeOf(const std::function<void()>& work) {
 
 std::string readAll(int from) {
   std::string text;
-  std::array<char, 4096> bytes;
+  std::array<char, 4096> bytes{};
   for (;;) {
     const ssize_t count = ::read(from, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
