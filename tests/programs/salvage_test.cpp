@@ -72,7 +72,8 @@ void expectBeginning(const Folder& folder, const std::string& salvaged) {
   EXPECT_EQ(status.status, "salvaged");
   const std::string place = "/pipelines/fukuhara/";
   const std::size_t rows = readSeries(folder / salvaged, place + "time").values.size();
-  ASSERT_EQ(rows, 2101u);
+  ASSERT_GT(rows, 1u);  // a block, or what ten seconds brought where that takes longer
+  ASSERT_LE(rows, 4201u);
   EXPECT_TRUE(status.detail.starts_with("up to step " + std::to_string(rows - 1) + " of 4200 (t = "))
       << status.detail;
   folder.write("again.yaml", info.scenario_resolved);
@@ -277,7 +278,8 @@ TEST(Salvage, XarrayReadsIt) {
                        "import xarray\n"
                        "data = xarray.open_dataset('salvaged.h5', group='pipelines/fukuhara')\n"
                        "assert data.attrs['status'] == 'salvaged', data\n"
-                       "assert data.sizes['time'] == 2101 and abs(float(data.time[-1]) - 2.1) < 1e-12, data\n"
+                       "rows = data.sizes['time']\n"
+                       "assert rows > 1 and abs(float(data.time[-1]) - 0.001 * (rows - 1)) < 1e-12, data\n"
                        "assert data.penetration_depth.dims == ('time',), data\n"
                        "assert data.force.dims == ('law', 'time', 'xyz'), data.force\n"
                        "assert data.positions.dims == ('snapshot_time', 'vertex', 'xyz'), data.positions\n"
