@@ -23,9 +23,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// Empty when there is no such file, or no more: files of /proc end with their process.
 std::string contents(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
+  try {
+    return {std::istreambuf_iterator<char>(stream), {}};
+  } catch (const std::ios_base::failure&) {
+    return "";
+  }
 }
 
 /// Fields of /proc/PID/stat after the program's name: state, parent ...; empty when the process is gone.
