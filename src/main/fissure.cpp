@@ -42,12 +42,17 @@ int start(int argc, char** argv) {
   app.set_version_flag("--version", "fissure " + buildInfo().version + " (" + buildInfo().commit + ")");
   app.require_subcommand(1);
   app.footer(
-      "Exit codes: 0 done and good, 1 a comparison failed, 2 bad input or usage, 3 a run failed, 130 "
+      "Exit codes: 0 done and good, 1 a comparison or an expectation failed, 2 bad input or usage, 3 a run "
+      "failed, 130 "
       "interrupted.");
   const std::string command_line = commandLine(argc, argv);
-  const std::vector<Verb> verbs = {
-      addRun(app, command_line),    addPlan(app), addValidate(app), addList(app), addInfo(app),
-      addSalvage(app, command_line)};
+  const std::vector<Verb> verbs = {addRun(app, command_line),
+                                   addPlan(app),
+                                   addValidate(app),
+                                   addList(app),
+                                   addInfo(app),
+                                   addCompare(app),
+                                   addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& help) {

@@ -7,6 +7,8 @@
 #include <cstdio>
 #include <string_view>
 
+#include "main/text_table.h"
+
 namespace fissure {
 
 namespace {
@@ -51,44 +53,24 @@ std::string cell(const Column& column, const Summary& summary) {
   return "-";
 }
 
-using Row = std::vector<std::string>;
-
-/// The first two columns to the left, numbers to the right; no blanks at the ends of lines.
-std::string aligned(const std::vector<Row>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const Row& row : rows)
-    for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
-  std::string text;
-  for (const Row& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string blanks(widths[c] - row[c].size(), ' ');
-      line += (c > 0 ? "  " : "") + (c < 2 ? row[c] + blanks : blanks + row[c]);
-    }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
-  }
-  return text;
-}
-
 }  // namespace
 
 std::string resultTable(const std::vector<PipelineResult>& pipelines) {
-  std::vector<Row> rows;
+  std::vector<TextRow> rows;
   for (std::size_t line = 0; line < 3; ++line) {
-    Row row = {line == 0 ? "pipeline" : "", line == 0 ? "status" : ""};
+    TextRow row = {line == 0 ? "pipeline" : "", line == 0 ? "status" : ""};
     for (const Column& column : columns) row.emplace_back(column.header[line]);
     rows.push_back(row);
   }
   std::string details;
   for (const PipelineResult& pipeline : pipelines) {
-    Row row = {pipeline.name, pipeline.status.status};
+    TextRow row = {pipeline.name, pipeline.status.status};
     for (const Column& column : columns) row.push_back(cell(column, pipeline.summary));
     rows.push_back(row);
     if (pipeline.status.status != "ok")
       details += pipeline.name + ": " + pipeline.status.status + ": " + pipeline.status.detail + "\n";
   }
-  return aligned(rows) + details;
+  return alignedText(rows, 2) + details;
 }
 
 std::string summaryText(const SummaryValue& value) {

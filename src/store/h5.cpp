@@ -150,6 +150,26 @@ bool isText(hid_t dataset) {
   return H5Tget_class(type) == H5T_STRING;
 }
 
+std::string typeName(hid_t dataset) {
+  const h5::Id type(H5Dget_type(dataset), H5Tclose, "cannot read the type of a dataset");
+  const std::string bits = std::to_string(8 * H5Tget_size(type));
+  switch (H5Tget_class(type)) {
+    case H5T_STRING:
+      return "text";
+    case H5T_FLOAT:
+      return "f" + bits;
+    case H5T_INTEGER:
+      return (H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "i") + bits;
+    default:
+      return "other";
+  }
+}
+
+bool isView(hid_t dataset) {
+  const h5::Id creation(H5Dget_create_plist(dataset), H5Pclose, "cannot read the layout of a dataset");
+  return H5Pget_layout(creation) == H5D_VIRTUAL;
+}
+
 Id textType() {
   Id type(H5Tcopy(H5T_C_S1), H5Tclose, "cannot make a string type");
   check(H5Tset_size(type, H5T_VARIABLE), "cannot make a string type");

@@ -69,6 +69,10 @@ Id datasetProperties();
 std::vector<std::string> childNames(hid_t group);  ///< in order of creation
 std::vector<hsize_t> shapeOf(hid_t dataset);
 bool isText(hid_t dataset);
+/// "f64", "i64", "u8", "text" ...
+std::string typeName(hid_t dataset);
+/// Whether a dataset only shows parts of others (a virtual dataset).
+bool isView(hid_t dataset);
 
 /// Variable-length UTF-8.
 Id textType();
@@ -86,6 +90,10 @@ void setAttribute(hid_t object, const std::string& name, const std::vector<std::
 void setImageAttribute(hid_t object, const std::string& name, const std::string& value);
 void removeAttribute(hid_t object, const std::string& name);
 std::vector<std::string> attributeNames(hid_t object);  ///< in order of creation
+/// Also to another file; an existing one of that name is replaced. Not for references.
+void copyAttribute(hid_t from, hid_t to, const std::string& name);
+/// The selected values of a dataset fill another one of as many values.
+void copyValues(hid_t from, hid_t selection, hid_t to, const std::string& name);
 
 using AttributeValue = std::variant<double, long long, std::string>;
 /// A scalar attribute; no value when there is none of that name, or it is no number or string.

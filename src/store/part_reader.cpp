@@ -52,25 +52,14 @@ void cut(hid_t dataset, const Lengths& lengths) {
   if (shape != before) h5::check(H5Dset_extent(dataset, shape.data()), "cannot cut a dataset");
 }
 
-void copyAttributes(hid_t from, hid_t to) {
-  for (const std::string& name : h5::attributeNames(from)) {
-    const std::optional<h5::AttributeValue> value = h5::attribute(from, name);
-    if (!value) continue;
-    if (const auto* number = std::get_if<double>(&*value)) h5::setAttribute(to, name, *number);
-    if (const auto* text = std::get_if<std::string>(&*value)) h5::setAttribute(to, name, *text);
-    if (const auto* count = std::get_if<long long>(&*value)) {
-      h5::setAttribute(to, name, static_cast<std::int64_t>(*count));
-    }
-  }
-}
-
 // Link by link: copying whole groups would order their links by name.
 void copyContents(hid_t from, hid_t to, const Lengths& lengths, const h5::OutputFile& file) {
   for (const std::string& name : h5::childNames(from)) {
     const h5::Id child = h5::openObject(from, name);
     if (h5::isGroup(child)) {
       const h5::Id copy = h5::createGroup(to, name);
-      copyAttributes(child, copy);
+      for (const std::string& attribute : h5::attributeNames(child))
+        h5::copyAttribute(child, copy, attribute);
       copyContents(child, copy, lengths, file);
       continue;
     }

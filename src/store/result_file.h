@@ -59,7 +59,8 @@ struct ResultInfo {
   std::string format;
   int format_version = 0;
   bool complete = false;
-  bool salvaged = false;  ///< made by assembleSalvaged()
+  bool salvaged = false;   ///< made by assembleSalvaged()
+  bool reference = false;  ///< made by writeReference()
   Provenance provenance;
   std::string scenario_resolved;
   std::vector<PipelineResult> pipelines;

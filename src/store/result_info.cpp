@@ -7,35 +7,17 @@ namespace fissure {
 
 namespace {
 
-std::string typeName(hid_t dataset) {
-  const h5::Id type(H5Dget_type(dataset), H5Tclose, "cannot read the type of a dataset");
-  const std::string bits = std::to_string(8 * H5Tget_size(type));
-  switch (H5Tget_class(type)) {
-    case H5T_STRING:
-      return "text";
-    case H5T_FLOAT:
-      return "f" + bits;
-    case H5T_INTEGER:
-      return (H5Tget_sign(type) == H5T_SGN_NONE ? "u" : "i") + bits;
-    default:
-      return "other";
-  }
-}
-
-bool isView(hid_t dataset) {
-  const h5::Id creation(H5Dget_create_plist(dataset), H5Pclose, "cannot read the layout of a dataset");
-  return H5Pget_layout(creation) == H5D_VIRTUAL;
-}
-
 void listDatasets(hid_t group, const std::string& path, std::vector<DatasetInfo>& datasets) {
   for (const std::string& name : h5::childNames(group)) {
     const h5::Id child = h5::openObject(group, name);
     if (h5::isGroup(child)) {
       listDatasets(child, path + name + "/", datasets);
-    } else if (!isView(child)) {
+    } else if (!h5::isView(child)) {
       const std::vector<hsize_t> shape = h5::shapeOf(child);
-      datasets.push_back(
-          {path + name, typeName(child), {shape.begin(), shape.end()}, h5::textAttribute(child, "units")});
+      datasets.push_back({path + name,
+                          h5::typeName(child),
+                          {shape.begin(), shape.end()},
+                          h5::textAttribute(child, "units")});
     }
   }
 }
@@ -90,6 +72,7 @@ ResultInfo readInfo(const h5::Id& file) {
   info.title = h5::textAttribute(file, "title");
   info.complete = h5::integerAttribute(file, "complete", 0) == 1;
   info.salvaged = h5::integerAttribute(file, "salvaged", 0) == 1;
+  info.reference = h5::integerAttribute(file, "reference", 0) == 1;
   readProvenance(file, info);
   const h5::Id pipelines = h5::openGroup(file, "pipelines");
   for (const std::string& name : h5::childNames(pipelines))

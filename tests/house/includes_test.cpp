@@ -25,9 +25,10 @@ const std::map<std::string, std::set<std::string>> kMayInclude = {
     {"render", {"base", "scenario", "mesh"}},
     {"store", {"base", "scenario"}},
     {"process", {"base", "scenario"}},
+    {"compare", {"base", "scenario", "store"}},
     {"main",
      {"base", "scenario", "motion", "mesh", "contact", "engine", "run", "measure", "render", "store",
-      "process"}},
+      "process", "compare"}},
 };
 
 struct Confined {

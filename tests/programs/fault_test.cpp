@@ -56,11 +56,11 @@ std::vector<std::string> undisturbedHashes(const std::string& scenario) {
 
 // A result takes about half a second: the moments cover start, runs, assembly, and a while after.
 TEST(Kills, AtAnyMomentLeaveNothingHalfMade) {
-  const std::string scenario = pressScenario(two_runs, "0.5", "record: {snapshots_every_s: 0.01}\n");
+  const std::string scenario = pressScenario(two_runs, "0.3", "record: {snapshots_every_s: 0.01}\n");
   const std::vector<std::string> undisturbed = undisturbedHashes(scenario);
   ASSERT_EQ(undisturbed.size(), 2u);
   std::mt19937 random(1);
-  for (int trial = 0; trial < 9; ++trial) {
+  for (int trial = 0; trial < 6; ++trial) {
     const Folder folder;
     folder.write("s.yaml", scenario);
     Program run(folder, {fissureProgram(), "run", "s.yaml", "-o", "out.h5"});

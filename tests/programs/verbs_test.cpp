@@ -20,6 +20,7 @@ TEST(Verbs, HelpAndVersionAreGood) {
                                                                                      {"list", "--help"},
                                                                                      {"info", "--help"},
                                                                                      {"salvage", "--help"},
+                                                                                     {"compare", "--help"},
                                                                                      {"--version"}}) {
     const Outcome outcome = runFissure(folder, words);
     EXPECT_EQ(outcome.code, 0);

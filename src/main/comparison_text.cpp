@@ -1,0 +1,121 @@
+// What `compare` prints.
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "compare/units.h"
+#include "main/comparison.h"
+#include "main/text_table.h"
+
+namespace fissure {
+
+namespace {
+
+std::string verdict(const QuantityComparison& made) {
+  if (made.equal()) return "equal";
+  if (made.tolerance.ignore && made.agrees) return "ignored";
+  return made.agrees ? "within" : "DIFFERS";
+}
+
+std::string relative(const Difference& difference) {
+  const double ratio = difference.largest / difference.largest_b;
+  if (!std::isfinite(ratio) || !difference.worst) return "-";
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), ratio < 10 ? "%.3g %%" : "%.0f x",
+                ratio < 10 ? 100 * ratio : ratio);
+  return text.data();
+}
+
+std::string shiftText(const QuantityComparison& made) {
+  if (!made.shift || made.shift->rows == 0 || !(made.shift->remaining < 0.5 * made.difference.largest))
+    return "-";
+  const char* const when = made.shift->rows > 0 ? " late: " : " early: ";
+  return withUnit(std::abs(made.shift_s), "s") + when + withUnit(made.shift->remaining, made.units);
+}
+
+TextRow numbersRow(const QuantityComparison& made) {
+  const Difference& difference = made.difference;
+  return {made.quantity,
+          verdict(made),
+          withUnit(made.scalar_a.value_or(difference.largest_a), made.units),
+          withUnit(made.scalar_b.value_or(difference.largest_b), made.units),
+          made.equal() || difference.worst ? withUnit(difference.largest, made.units) : "-",
+          relative(difference),
+          made.worst_at.empty() ? "-" : made.worst_at,
+          made.first_at.empty() ? "-" : made.first_at,
+          shiftText(made)};
+}
+
+std::string title(const char* side, const RunOfFile& run) {
+  const PipelineResult& result = *run.run;
+  return std::string(side) + "  " + run.file.string() + ":" + result.name + "  " + result.precision + ", " +
+         result.status.status + ", " + result.description + (run.info->reference ? " (a reference)" : "") +
+         "\n";
+}
+
+/// One line for all quantities that only one side has.
+std::string onlyIn(const RunComparison& run, const char* side, const std::string& problem) {
+  std::string names;
+  for (const QuantityComparison& made : run.quantities)
+    if (made.problem == problem && !made.agrees) names += (names.empty() ? " " : ", ") + made.quantity;
+  return names.empty() ? "" : std::string("only in ") + side + ":" + names + "\n";
+}
+
+bool isOneSided(const QuantityComparison& made) {
+  return made.problem == "missing in A" || made.problem == "missing in B";
+}
+
+std::string problemLines(const RunComparison& run) {
+  std::string text;
+  for (const std::string& problem : run.problems) text += "DIFFERS: " + problem + "\n";
+  for (const QuantityComparison& made : run.quantities) {
+    if (made.agrees || isOneSided(made)) continue;
+    if (!made.problem.empty()) text += made.quantity + " DIFFERS: " + made.problem + "\n";
+    if (made.text_a != made.text_b)
+      text += made.quantity + " DIFFERS: " + made.text_a + " against " + made.text_b + "\n";
+  }
+  return text + onlyIn(run, "A", "missing in B") + onlyIn(run, "B", "missing in A");
+}
+
+std::string countLine(const RunComparison& run) {
+  std::size_t differing = 0, within = 0, equal = 0;
+  for (const QuantityComparison& made : run.quantities)
+    ++(!made.agrees ? differing : made.equal() ? equal : within);
+  std::string text =
+      std::to_string(differing) + (differing == 1 ? " quantity differs, " : " quantities differ, ");
+  if (within > 0) text += std::to_string(within) + " are within their tolerance, ";
+  return text + std::to_string(equal) + " are equal\n";
+}
+
+std::string runText(const RunComparison& run, bool all) {
+  if (run.agrees() && !all) return run.a.run->name + ": " + countLine(run);
+  std::vector<TextRow> rows = {{"quantity", "", "largest", "largest", "largest", "of B",
+                                "largest difference at", "first difference at", "A in time"},
+                               {"", "", "in A", "in B", "difference", "", "", "", ""}};
+  for (const QuantityComparison& made : run.quantities) {
+    const bool numbers = made.scalar_a || !made.difference.of_row.empty();
+    if (numbers && (all || !made.agrees)) rows.push_back(numbersRow(made));
+  }
+  return title("A", run.a) + title("B", run.b) + (rows.size() > 2 ? alignedText(rows, 2) : "") +
+         problemLines(run) + countLine(run) + "\n";
+}
+
+constexpr const char* legend =
+    "largest: of absolute values over all steps and components; of B: the difference over the largest in B; "
+    "A in time: the "
+    "shift of A\nthat fits B best, where it takes away more than half of the difference, and what is left "
+    "then. Timing "
+    "and provenance are left out.\n";
+
+}  // namespace
+
+std::string comparisonText(const ResultComparison& comparison, bool all) {
+  std::string text;
+  for (const RunComparison& run : comparison.runs) text += runText(run, all);
+  for (const std::string& problem : comparison.problems) text += "DIFFERS: " + problem + "\n";
+  for (const std::string& note : comparison.notes) text += "note: " + note + "\n";
+  if (!comparison.agrees() || all) text += legend;
+  return text + (comparison.agrees() ? "A agrees with B\n" : "A differs from B\n");
+}
+
+}  // namespace fissure

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace fissure {
+
+using TextRow = std::vector<std::string>;
+
+/// Rows of equal length as lines: the first `left` columns to the left, the others to the right, two blanks
+/// between columns, none at the ends of lines.
+std::string alignedText(const std::vector<TextRow>& rows, std::size_t left);
+
+}  // namespace fissure

@@ -1,0 +1,28 @@
+#include "compare/units.h"
+
+#include <gtest/gtest.h>
+
+namespace fissure {
+namespace {
+
+TEST(Units, AreReadOffTheNamesOfSummaryValues) {
+  EXPECT_EQ(summaryUnit("max_penetration_depth_m"), "m");
+  EXPECT_EQ(summaryUnit("max_force_hc_N"), "N");
+  EXPECT_EQ(summaryUnit("first_contact_time_s"), "s");
+  EXPECT_EQ(summaryUnit("node_switch_rate_hz"), "Hz");
+  EXPECT_EQ(summaryUnit("rays"), "1");
+}
+
+TEST(Units, ValuesHaveFourDigitsAndAPrefix) {
+  EXPECT_EQ(withUnit(0.0230214, "m"), "23.02 mm");
+  EXPECT_EQ(withUnit(-1e-6, "m"), "-1 um");
+  EXPECT_EQ(withUnit(56.114, "N"), "56.11 N");
+  EXPECT_EQ(withUnit(1234, "N"), "1.234 kN");
+  EXPECT_EQ(withUnit(0.00099999, "m"), "1 mm");
+  EXPECT_EQ(withUnit(0, "m"), "0 m");
+  EXPECT_EQ(withUnit(74, "1"), "74");
+  EXPECT_EQ(withUnit(0.0001031, "m3"), "0.0001031 m3");
+}
+
+}  // namespace
+}  // namespace fissure
