@@ -1,5 +1,7 @@
 #include "main/batch.h"
 
+#include <algorithm>
+
 #include "main/exit_codes.h"
 
 namespace fissure {
@@ -28,6 +30,8 @@ void Batch::run(int slots, Interrupt& interrupt) {
 int Batch::exitCode() const {
   int code = exit_good;
   for (const Experiment& experiment : experiments_) {
+    for (const CheckedExpectation& checked : experiment.expectations())
+      if (!checked.holds) code = std::max(code, exit_differs);
     if (!experiment.error().empty()) code = exit_run_failed;
     for (const PartResult& result : experiment.results()) {
       if (result.status.status == "interrupted") return exit_interrupted;

@@ -160,6 +160,7 @@ void Experiment::writeResult(const std::string& command_line) {
                   slot_->parts());
     info_ = readResultInfo(output_);
     noteUnreadableParts();
+    if (!interrupted()) expectations_ = checkExpectations(checked_.loaded.scenario.expect, info_->pipelines);
   } catch (const std::runtime_error& error) {
     error_ = error.what();
   }

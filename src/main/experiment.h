@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "compare/expectations.h"
 #include "main/output_slot.h"
 #include "main/provenance.h"
 #include "main/scenario_input.h"
@@ -49,6 +50,8 @@ class Experiment {
   const std::vector<PartResult>& results() const { return results_; }
   const std::string& error() const { return error_; }
   const std::optional<ResultInfo>& info() const { return info_; }  ///< of the file that close() wrote
+  /// What the scenario expects against what that file says; none where the batch was interrupted.
+  const std::vector<CheckedExpectation>& expectations() const { return expectations_; }
 
  private:
   std::filesystem::path partOf(std::size_t index) const;
@@ -67,6 +70,7 @@ class Experiment {
   std::vector<PartResult> results_;
   std::size_t open_;
   std::optional<ResultInfo> info_;
+  std::vector<CheckedExpectation> expectations_;
   std::string error_;
   std::vector<std::filesystem::path> kept_parts_;
   std::string input_hashes_;  ///< when the scenario was read

@@ -34,8 +34,12 @@ void select(const std::vector<std::string>& names, CheckedScenario& checked) {
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
       throw InputError(checked.file.string() + ": no pipeline \"" + name + "\"" + didYouMean(name, known));
-  std::erase_if(pipelines, [&](const PipelineSettings& entry) {
-    return std::find(names.begin(), names.end(), entry.name) == names.end();
+  const auto dropped = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  };
+  std::erase_if(pipelines, [&](const PipelineSettings& entry) { return dropped(entry.name); });
+  std::erase_if(checked.loaded.scenario.expect, [&](const Expectation& expected) {
+    return expected.pipeline && dropped(*expected.pipeline);
   });
 }
 
@@ -65,6 +69,7 @@ CheckedScenario checkScenario(const std::filesystem::path& file, const Selection
   Scenario& scenario = checked.loaded.scenario;
   select(selection.pipelines, checked);
   if (!selection.frames) scenario.record.frames.reset();
+  if (!selection.expectations) scenario.expect.clear();
   checked.loaded.resolved = toYaml(scenario);
   checkBodies(checked);
   const double longest_s = longestMotion_s(scenario);

@@ -14,6 +14,7 @@ struct Selection {
   std::vector<std::string> pipelines;  ///< names of entries to run; empty: all
   std::vector<std::string> overrides;  ///< "path=value"
   bool frames = true;
+  bool expectations = true;
 };
 
 /// A scenario that can be simulated: everything that can be checked without simulating has been.

@@ -8,6 +8,7 @@ void addScenarioOptions(CLI::App& command, ScenarioOptions& options) {
       ->allow_extra_args(false);
   command.add_option("--set", options.overrides, "path=value: override one value; may be repeated")
       ->allow_extra_args(false);
+  command.add_flag("--no-expect", options.no_expect, "check none of the values that the scenario expects");
   command.add_flag("--no-frames", options.no_frames, "draw no pictures, whatever the scenario says");
 }
 

@@ -14,11 +14,12 @@ struct ScenarioOptions {
   std::vector<std::string> pipelines;
   std::vector<std::string> overrides;
   bool no_frames = false;
+  bool no_expect = false;
 
-  Selection selection() const { return {pipelines, overrides, !no_frames}; }
+  Selection selection() const { return {pipelines, overrides, !no_frames, !no_expect}; }
 };
 
-/// Adds SCENARIO..., --pipeline, --set and --no-frames; `options` must outlive `command`.
+/// Adds SCENARIO..., --pipeline, --set, --no-frames and --no-expect; `options` must outlive `command`.
 void addScenarioOptions(CLI::App& command, ScenarioOptions& options);
 
 }  // namespace fissure

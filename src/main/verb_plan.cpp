@@ -41,6 +41,7 @@ void printScene(const CheckedScenario& checked) {
     std::cout << "\n";
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
+  if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";
 }
 
 /// Only the stages that this run has: what a scenario does not ask for costs nothing.

@@ -54,6 +54,29 @@ std::vector<Experiment> prepare(const RunOptions& options) {
   return experiments;
 }
 
+void printExpectations(const std::vector<CheckedExpectation>& expectations) {
+  if (expectations.empty()) return;
+  std::size_t held = 0;
+  for (const CheckedExpectation& checked : expectations) {
+    if (checked.holds)
+      ++held;
+    else
+      std::cout << "expectation failed: " << expectationText(checked) << "\n";
+  }
+  std::cout << "expectations: " << held << " of " << expectations.size() << " hold\n";
+}
+
+nlohmann::ordered_json expectationsJson(const std::vector<CheckedExpectation>& expectations) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const CheckedExpectation& checked : expectations)
+    list.push_back({{"run", checked.run},
+                    {"quantity", checked.quantity},
+                    {"found", checked.found},
+                    {"expected", checked.expected},
+                    {"holds", checked.holds}});
+  return list;
+}
+
 void printText(const std::vector<Experiment>& experiments) {
   for (const Experiment& experiment : experiments) {
     const std::string& name = experiment.checked().loaded.scenario.name;
@@ -68,8 +91,9 @@ void printText(const std::vector<Experiment>& experiments) {
       continue;
     }
     if (experiments.size() > 1) std::cout << name << "\n";
-    std::cout << resultTable(experiment.info()->pipelines) << "result: " << experiment.output().string()
-              << "\n";
+    std::cout << resultTable(experiment.info()->pipelines);
+    printExpectations(experiment.expectations());
+    std::cout << "result: " << experiment.output().string() << "\n";
   }
 }
 
@@ -77,7 +101,10 @@ void printJson(const std::vector<Experiment>& experiments, int code) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
   for (const Experiment& experiment : experiments) {
-    if (experiment.info()) results.push_back(resultJson(experiment.output(), *experiment.info()));
+    if (experiment.info()) {
+      results.push_back(resultJson(experiment.output(), *experiment.info()));
+      results.back()["expectations"] = expectationsJson(experiment.expectations());
+    }
     for (const fs::path& part : experiment.keptParts()) parts.push_back(part.string());
   }
   std::cout << jsonText({{"exit_code", code}, {"results", results}, {"kept_parts", parts}});

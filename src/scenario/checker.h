@@ -47,6 +47,7 @@ void checkTool(Checker check, const ToolSettings& tool);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);
+void checkExpectations(Checker check, const Scenario& scenario);
 
 /// Time from the first pose to the end of the last segment of a script that checkTool finds good, seconds.
 double scriptDuration(const ScriptMotion& motion);

@@ -109,6 +109,16 @@ void describe(Io& io, ForceSettings& f) {
 }
 
 template <class Io>
+void describe(Io& io, Expectation& e) {
+  io.required("quantity", e.quantity);
+  io.field("pipeline", e.pipeline);
+  io.field("value", e.value);
+  io.field("tolerance", e.tolerance);
+  io.field("min", e.min);
+  io.field("max", e.max);
+}
+
+template <class Io>
 void describe(Io& io, Scenario& s) {
   io.required("format", s.format);
   io.required("name", s.name);
@@ -122,6 +132,7 @@ void describe(Io& io, Scenario& s) {
   io.field("force", s.force);
   io.field("record", s.record);
   io.field("measure", s.measure);
+  io.field("expect", s.expect);
 }
 
 }  // namespace fissure

@@ -78,6 +78,18 @@ struct MeasureSettings {
   bool operator==(const MeasureSettings&) const = default;
 };
 
+/// What the summary of a run must say: a value within a tolerance, or bounds. Checked after the run.
+struct Expectation {
+  std::optional<std::string> pipeline;  ///< name of the entry; default: every one
+  std::string quantity;                 ///< of the summary: "max_penetration_depth_m"; no time of the machine
+  std::optional<double> value;          ///< in the quantity's unit, with a tolerance
+  std::optional<double> tolerance;      ///< >= 0: |found - value| may be so large
+  std::optional<double> min;            ///< included
+  std::optional<double> max;            ///< included
+
+  bool operator==(const Expectation&) const = default;
+};
+
 /// One experiment: what is simulated, through which pipelines, what is recorded. Plain data, every default
 /// here.
 struct Scenario {
@@ -93,6 +105,7 @@ struct Scenario {
   std::vector<ForceSettings> force;         ///< all evaluated in every run
   RecordSettings record;
   MeasureSettings measure;
+  std::vector<Expectation> expect;
 
   /// Where relative file names of this scenario start. Not part of the file.
   std::filesystem::path directory = ".";

@@ -167,6 +167,7 @@ std::vector<Problem> validate(const Scenario& scenario) {
   if (scenario.measure.sample_spacing_m) {
     check.in("measure").positive("sample_spacing_m", *scenario.measure.sample_spacing_m);
   }
+  checkExpectations(check.in("expect"), scenario);
   // Relations between bad values would only hide what is wrong.
   if (problems.empty()) checkRelations(check, scenario);
   return problems;

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "scenario/checker.h"
+#include "scenario/did_you_mean.h"
 
 namespace fissure {
 
@@ -48,6 +51,40 @@ void checkRecord(Checker check, const RecordSettings& record) {
   frames.between("size_px", record.frames->width_px, 16, 4096);
   frames.between("size_px", record.frames->height_px, 16, 4096);
   if (record.frames->camera) checkCamera(frames.in("camera"), *record.frames->camera);
+}
+
+namespace {
+
+void checkExpectation(Checker check, const Expectation& expected) {
+  check.require(!expected.quantity.empty() && expected.quantity.rfind("timing/", 0) != 0, "quantity",
+                "is \"" + expected.quantity +
+                    "\", expected the name of a summary value that is the same on every machine");
+  if (expected.value) check.finite("value", *expected.value);
+  if (expected.tolerance) check.notNegative("tolerance", *expected.tolerance);
+  if (expected.min) check.finite("min", *expected.min);
+  if (expected.max) check.finite("max", *expected.max);
+  check.require(expected.value.has_value() == expected.tolerance.has_value(), "",
+                expected.value ? "has a value without a tolerance, expected both"
+                               : "has a tolerance without a value, expected both");
+  check.require(expected.value || expected.min || expected.max, "",
+                "says nothing about " + expected.quantity + ", expected value and tolerance, min or max");
+  check.require(!expected.min || !expected.max || *expected.min <= *expected.max, "min",
+                "is above max, expected at most max");
+}
+
+}  // namespace
+
+void checkExpectations(Checker check, const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const PipelineSettings& entry : scenario.pipelines) names.push_back(entry.name);
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
+    Checker item = check.in(std::to_string(i));
+    const std::optional<std::string>& name = scenario.expect[i].pipeline;
+    checkExpectation(item, scenario.expect[i]);
+    item.require(!name || std::find(names.begin(), names.end(), *name) != names.end(), "pipeline",
+                 "is \"" + name.value_or("") + "\", which is no entry of pipelines" +
+                     didYouMean(name.value_or(""), names));
+  }
 }
 
 }  // namespace fissure

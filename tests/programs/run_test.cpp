@@ -200,6 +200,48 @@ TEST(Run, TwoRunsIntoOneFileAreRefused) {
   EXPECT_EQ(second.err, "out.h5: is being written by another run\n");
 }
 
+TEST(Expect, DecidesTheExitCode) {
+  const Folder folder;
+  const auto run = [&](const std::string& expect, std::vector<std::string> more = {}) {
+    folder.write("s.yaml", pressScenario("[{pipeline: default}, {pipeline: fukuhara}]", "0.01", expect));
+    more.insert(more.begin(), {"run", "s.yaml", "--force", "-o", "out.h5"});
+    return runFissure(folder, more);
+  };
+  const Outcome good = run("expect: [{pipeline: fukuhara, quantity: steps, value: 10, tolerance: 0}]\n");
+  EXPECT_EQ(good.code, 0) << good.err;
+  EXPECT_NE(good.out.find("expectations: 1 of 1 hold\n"), std::string::npos) << good.out;
+
+  const std::string failing =
+      "expect:\n"
+      "  - {quantity: steps, value: 10, tolerance: 0}\n"
+      "  - {pipeline: default, quantity: steps, max: 9}\n";
+  const Outcome bad = run(failing);
+  EXPECT_EQ(bad.code, 1);
+  EXPECT_NE(bad.out.find("expectation failed: default: steps is 10, expected at most 9\n"), std::string::npos)
+      << bad.out;
+  EXPECT_NE(bad.out.find("expectations: 2 of 3 hold\n"), std::string::npos) << bad.out;
+  EXPECT_NE(run(failing, {"--json"}).out.find("\"holds\": false"), std::string::npos);
+  EXPECT_EQ(run(failing, {"--no-expect"}).code, 0);
+  EXPECT_EQ(run(failing, {"--pipeline", "fukuhara"}).code, 0);  // what is not run is not expected
+  // A run that fails is worse than an expectation that does.
+  EXPECT_EQ(run(failing, {"--set", "pipelines.fukuhara.time_limit_s=0.001"}).code, 3);
+}
+
+TEST(Expect, IsReadWithTheScenario) {
+  const Folder folder;
+  folder.write("base.yaml", pressScenario("[{pipeline: default}, {pipeline: fukuhara}]", "0.01",
+                                          "expect: [{pipeline: default, quantity: steps, max: 9}]\n"));
+  // An inherited list of expectations is replaced, not merged by pipeline.
+  folder.write("s.yaml", "base: base.yaml\nexpect: [{pipeline: default, quantity: steps, min: 10}]\n");
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5"}).code, 0);
+  folder.write("bad.yaml", "base: base.yaml\nexpect:\n  - {pipeline: defualt, quantity: steps, min: 10}\n");
+  const Outcome bad = runFissure(folder, {"validate", "bad.yaml"});
+  EXPECT_EQ(bad.code, 2);
+  EXPECT_EQ(bad.err,
+            "bad.yaml:3: expect.0.pipeline is \"defualt\", which is no entry of pipelines, did you mean "
+            "\"default\"?\n");
+}
+
 // Five and a half seconds, stderr is a file: one plain line after five.
 TEST(Run, ProgressIsAPlainLineElsewhere) {
   const Folder folder;

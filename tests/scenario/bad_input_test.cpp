@@ -94,7 +94,7 @@ const BadCase key_cases[] = {
      "a.yaml:12: unknown key \"mass\" in bodies.ball, did you mean \"mass_kg\"?"},
     {"UnknownKeyFarFromAll", "height_m: 0,", "colour_of_it: 0,",
      "a.yaml:6: unknown key \"colour_of_it\" in ground, expected one of height_m, friction, hardness"},
-    {"ExpectIsNoKey", "record:", "expect: []\nrecord:", "a.yaml:30: unknown key \"expect\""},
+    {"ExpectationWithoutAQuantity", "record:", "expect:\n  - {max: 1}\nrecord:", "a.yaml:31: missing key \"quantity\""},
     {"MisspeltRequiredKey", "radius_m", "raduis_m",
      "a.yaml:9: unknown key \"raduis_m\" in bodies.ball.shape, did you mean \"radius_m\"?"},
     {"KeyOfAnotherShape", "subdivisions: 2", "size_m: [1, 1, 1]",

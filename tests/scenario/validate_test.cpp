@@ -99,6 +99,26 @@ TEST(Validate, ScenarioAndTime) {
   });
 }
 
+TEST(Validate, Expectations) {
+  const auto expecting = [](const Expectation& expected) {
+    return [expected](Scenario& s) { s.expect = {{.quantity = "steps", .min = 1}, expected}; };
+  };
+  expectProblems({
+      {"expect.1.pipeline", expecting({.pipeline = "fukuhra", .quantity = "a", .max = 1})},
+      {"expect.1.quantity", expecting({.quantity = "timing/mean_step_us", .max = 1})},
+      {"expect.1.value", expecting({.quantity = "a", .value = nan, .tolerance = 1})},
+      {"expect.1.tolerance", expecting({.quantity = "a", .value = 1, .tolerance = -1})},
+      {"expect.1.max", expecting({.quantity = "a", .max = infinity})},
+      {"expect.1", expecting({.quantity = "a", .value = 1})},
+      {"expect.1", expecting({.quantity = "a", .tolerance = 1, .max = 1})},
+      {"expect.1", expecting({.quantity = "a"})},
+      {"expect.1.min", expecting({.quantity = "a", .min = 2, .max = 1})},
+  });
+  Scenario good = full();
+  good.expect = {{.pipeline = "fukuhara", .quantity = "max_penetration_depth_m", .value = 1, .tolerance = 0}};
+  EXPECT_TRUE(validate(good).empty());
+}
+
 TEST(Validate, World) {
   expectProblems({
       {"world.gravity_m_s2", [](Scenario& s) { s.world.gravity_m_s2.y() = nan; }},

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scenario/scenario.h"
+#include "store/result_file.h"
+
+namespace fissure {
+
+/// An expectation of a scenario against one run.
+struct CheckedExpectation {
+  std::string run;
+  std::string quantity;
+  std::string found;     ///< the value as text, or why there is none
+  std::string expected;  ///< "at most 0.0005", "56.1 within 0.5", "0.02 to 0.03"
+  bool holds = false;    ///< never where the quantity is missing, no number or NaN, or the run is not ok
+};
+
+/// Each expectation against each run that it is about. One about a run that is not among `runs` does not
+/// hold.
+std::vector<CheckedExpectation> checkExpectations(const std::vector<Expectation>& expectations,
+                                                  const std::vector<PipelineResult>& runs);
+
+/// "fukuhara: max_penetration_depth_m is 0.00062, expected at most 0.0005"
+std::string expectationText(const CheckedExpectation& checked);
+
+}  // namespace fissure
