@@ -100,7 +100,8 @@ const char* const every_field =
     "    camera: {position_m: [1, 1, 1], look_at_m: [0, 1, 0], up: [0, 0, 1], field_of_view_deg: 50}\n"
     "measure: {sample_spacing_m: 0.0004}\n"
     "expect:\n"
-    "  - {quantity: max_penetration_depth_m, pipeline: fukuhara, value: 0.1, tolerance: 0.01, min: 0.05, max: 0.2}\n";
+    "  - {quantity: max_penetration_depth_m, pipeline: b, value: 0.1, tolerance: 0.01, min: 0.05, max: "
+    "0.2}\n";
 
 class RoundTrip : public ScenarioFiles {};
 
