@@ -111,22 +111,28 @@ def prescribed_table(rows):
     return "\n".join(lines)
 
 
+def save(path, figure, axis, rows, force):
+    """Axes of a force over the number of triangles, once the curves are drawn."""
+    triangles = [row["triangles"] for row in rows]
+    axis.set_xscale("log", base=2)
+    axis.set_yscale("log")
+    axis.set_xticks(triangles, [f"{n:,.0f}" for n in triangles])
+    axis.minorticks_off()
+    axis.set_xlabel("triangles of the sphere")
+    axis.set_ylabel(f"{force} [N]")
+    axis.grid(alpha=0.3)
+    axis.legend(frameon=False, fontsize=8)
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
+
+
 def draw_prescribed(path, rows):
     figure, axis = plt.subplots(figsize=(6.4, 4.2))
     triangles = [row["triangles"] for row in rows]
     axis.plot(triangles, [row["paper_N"] for row in rows], "-", marker="o", color=COLOURS["paper"], label="paper")
     axis.plot(triangles, [row["per_area_N"] for row in rows], "-", marker="o", color=COLOURS["per_area"], label="per_area")
     axis.axhline(rows[0]["exact_N"], color="black", linewidth=0.8, linestyle=":", label="surface integral of the law")
-    axis.set_xscale("log", base=2)
-    axis.set_yscale("log")
-    axis.set_xticks(triangles, [f"{n:,.0f}" for n in triangles])
-    axis.minorticks_off()
-    axis.set_xlabel("triangles of the sphere")
-    axis.set_ylabel("force on a prescribed deformation [N]")
-    axis.grid(alpha=0.3)
-    axis.legend(frameon=False, fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save(path, figure, axis, rows, "force on a prescribed deformation")
 
 
 def write(folder, rows, prescribed):
@@ -178,16 +184,7 @@ def draw(path, rows):
         axis.plot(triangles, [row[f"{law}_N"] for row in rows], style, marker="o", color=COLOURS[law], label=law)
     start = rows[0]["paper_N"]
     axis.plot(triangles, [start * n / triangles[0] for n in triangles], ":", color="grey", label="number of triangles")
-    axis.set_xscale("log", base=2)
-    axis.set_yscale("log")
-    axis.set_xticks(triangles, [f"{n:,}" for n in triangles])
-    axis.minorticks_off()
-    axis.set_xlabel("triangles of the sphere")
-    axis.set_ylabel("held force [N]")
-    axis.grid(alpha=0.3)
-    axis.legend(frameon=False, fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, dpi=90)
+    save(path, figure, axis, rows, "held force")
 
 
 def main():

@@ -6,12 +6,6 @@ namespace fissure {
 
 namespace {
 
-Vec3 pointOf(const ContactConstraint& contact, std::span<const Vec3> of_vertices) {
-  Vec3 point = Vec3::Zero();
-  for (int j = 0; j < 3; ++j) point += contact.weights[j] * of_vertices[contact.vertices[j]];
-  return point;
-}
-
 void move(const ContactConstraint& contact, double push_kg_m, std::span<const double> inverse_masses,
           std::span<Vec3> of_vertices) {
   for (int j = 0; j < 3; ++j) {

@@ -17,13 +17,11 @@ void EnforcedDisplacement::apply(std::span<const ContactConstraint> constraints,
   }
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
     for (const ContactConstraint& contact : constraints) {
-      Vec3 point_m = Vec3::Zero();
       double mobility = 0;
-      for (int j = 0; j < 3; ++j) {
-        point_m += contact.weights[j] * positions_m[contact.vertices[j]];
+      for (int j = 0; j < 3; ++j)
         mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
-      }
-      const double short_by_m = contact.target_m - (point_m - contact.position_m).dot(contact.normal);
+      const double short_by_m =
+          contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
       if (!(short_by_m > 0) || !(mobility > 0)) continue;
       for (int j = 0; j < 3; ++j) {
         const int vertex = contact.vertices[j];

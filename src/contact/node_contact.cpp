@@ -77,9 +77,7 @@ void NodeContact::limitDisplacement(NodeCandidate& candidate) const {
 void NodeContact::noteDisplacements(std::span<const Vec3> positions_m) {
   displacements_m_.clear();
   for (const ContactConstraint& contact : constraints_) {
-    Vec3 point_m = Vec3::Zero();
-    for (int j = 0; j < 3; ++j) point_m += contact.weights[j] * positions_m[contact.vertices[j]];
-    const double gap_m = (point_m - contact.position_m).dot(contact.normal);
+    const double gap_m = (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
     displacements_m_.push_back(std::max(contact.target_m - gap_m, 0.0));
   }
 }

@@ -16,12 +16,6 @@ double extentOf(const TriangleMesh& mesh) {
   return (high - low).maxCoeff();
 }
 
-Vec3 pointOf(const SurfaceHit& hit, const Face& face, std::span<const Vec3> positions_m) {
-  Vec3 point_m = Vec3::Zero();
-  for (int j = 0; j < 3; ++j) point_m += hit.at.weights[j] * positions_m[face[j]];
-  return point_m;
-}
-
 }  // namespace
 
 NodeRays::NodeRays(const Scene& scene, std::vector<double> margins_m, std::optional<double> ray_length_m)
@@ -82,8 +76,8 @@ void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span
                             .tool = node.tool,
                             .target_m = body.margin_m};
     const Face& face = body.faces[hit->face];
-    const Vec3 point_m = pointOf(*hit, face, body_positions_m);
-    const Vec3 tissue_travel_m = point_m - pointOf(*hit, face, body_before_m);
+    const Vec3 point_m = pointOf(face, hit->at.weights, body_positions_m);
+    const Vec3 tissue_travel_m = point_m - pointOf(face, hit->at.weights, body_before_m);
     for (int& vertex : candidate.constraint.vertices) vertex += body.first_vertex;
     candidate.depth_m = (path.to_m - point_m).dot(path.normal);
     candidate.approach_m = (path.to_m - path.from_m - tissue_travel_m).dot(path.normal);
@@ -120,7 +114,7 @@ std::optional<SurfaceHit> NodeRays::hitOnPath(const Body& body, const Path& path
     hit = body.tree.firstHit(Ray(start_m, way_m / length_m, length_m), positions_m, tests_);
     if (!hit || hit->at.cosine > 0) return std::nullopt;
     const Face& face = body.faces[hit->face];
-    carried_m = pointOf(*hit, face, positions_m) - pointOf(*hit, face, before_m);
+    carried_m = pointOf(face, hit->at.weights, positions_m) - pointOf(face, hit->at.weights, before_m);
   }
   return hit;
 }
