@@ -45,8 +45,9 @@ def kill_front(trial):
 
 
 def kill_front_after_a_block(trial):
+    """After the first block of both runs."""
     trial.start("-j", "2")
-    trial.until(lambda: trial.part(BLOCK))
+    trial.until(lambda: len(trial.parts(BLOCK)) == len(PIPELINES))
     time.sleep(trial.rng.uniform(0, trial.time_s / 2))
     trial.kill([trial.front.pid])
 
@@ -96,7 +97,7 @@ def fake_engine(text, mode=0o755, options=()):
 def damage_part(damage):
     def fault(trial):
         trial.start()
-        part = trial.until(trial.part)
+        part = next(iter(trial.until(trial.parts) or []), None)
         trial.hit = bool(part)
         if part:
             damage(part, trial.rng)
@@ -165,26 +166,21 @@ def remove(folder):
 
 def remove_folder(trial):
     trial.start("-j", "2")
-    trial.until(trial.part)
+    trial.until(trial.parts)
     remove(trial.folder / "out")
 
 
-def remove_scenario(trial):
-    trial.start("-j", "2")
-    trial.until(trial.workers)
-    (trial.folder / "s.yaml").unlink()
-    trial.outcome = trial.end()
-    trial.write_scenario(SCRIPTED)
+def remove_input(name, motion):
+    def fault(trial):
+        trial.write_scenario(motion)
+        trial.write("log.csv", "t,x,y,z\n0,0,0.062,0\n0.02,0,0.052,0\n1,0,0.052,0\n")
+        trial.start("-j", "2")
+        trial.until(trial.workers)
+        (trial.folder / name).unlink()
+        trial.outcome = trial.end()
+        trial.write_scenario(SCRIPTED)
 
-
-def remove_log(trial):
-    trial.write_scenario(REPLAYED)
-    trial.write("log.csv", "t,x,y,z\n0,0,0.062,0\n0.02,0,0.052,0\n1,0,0.052,0\n")
-    trial.start("-j", "2")
-    trial.until(trial.workers)
-    (trial.folder / "log.csv").unlink()
-    trial.outcome = trial.end()
-    trial.write_scenario(SCRIPTED)
+    return fault
 
 
 def run_twice(trial):
@@ -198,6 +194,25 @@ def run_twice(trial):
         trial.outcome[0] = "not refused"
 
 
+# What each promises: by exit code of the front what its result may record (a regular expression, None: no
+# result), and for faults that leave parts, what these may become.
+
+Promise = collections.namedtuple("Promise", "recorded parts", defaults=[set()])
+ANY_PART, WHOLE_PARTS = {"salvaged", "nothing yet"}, {"salvaged"}
+FRONT_DIES = {"-9": "no file|ok"}  # killed after the result got its name it is there, and whole
+STOPPED = Promise({"130": "no file|interrupted.*", "0": "ok"})  # 0: all was done, the result was being written
+TIMEOUT = r"timeout: time limit of [\d.]+ s reached after step N of M"
+INPUT_CHANGED = "failed: an input file of the scenario was changed or removed while the runs went on"
+NO_LOG = r'failed: resolved\.yaml:\d+: \S+ is "log.csv": no such file, expected a log'
+UNDISTURBED = Promise({"0": "ok"})  # the fault came too late
+SPACE = Promise({"0": "ok", "3": "no file|failed: .*"})
+UNNOTICED = Promise({"0": "ok", "3": "(failed|crashed): .*"})  # what hits values is read as values
+
+
+def fails(recorded):
+    return Promise({"3": recorded})
+
+
 def shares(kills):
     """Of a worker, of the front, of the front while it writes the result, of both."""
     some = kills // 5
@@ -205,14 +220,17 @@ def shares(kills):
 
 
 def faults(kills):
-    """What the table calls it, the fault, how often."""
+    """What the table calls it, the fault, how often, and what is promised."""
     of_worker, of_front, of_late_front, at_the_end, of_both = shares(kills)
+    killed = fails(r"crashed: killed by signal 9 \(SIGKILL\) after step N of M")
+    after_a_block = "kill -9 of the front in a long run, after its first block"
     return [
-        ("kill -9 of a worker", kill_worker, of_worker),
-        ("kill -9 of the front", kill_front, of_front),
-        ("kill -9 of the front in a long run, after its first block", kill_front_after_a_block, of_late_front),
-        ("kill -9 of the front while it writes the result", kill_front_at_the_end, at_the_end),
-        ("kill -9 of front and workers, in any order", kill_both, of_both),
+        ("kill -9 of a worker", kill_worker, of_worker, killed),
+        ("kill -9 of the front", kill_front, of_front, Promise(FRONT_DIES, ANY_PART)),
+        (after_a_block, kill_front_after_a_block, of_late_front, Promise(FRONT_DIES, WHOLE_PARTS)),
+        ("kill -9 of the front while it writes the result", kill_front_at_the_end, at_the_end,
+         Promise(FRONT_DIES, WHOLE_PARTS)),
+        ("kill -9 of front and workers, in any order", kill_both, of_both, Promise(FRONT_DIES, ANY_PART)),
         *other_faults(max(1, kills // 33)),
     ]
 
@@ -220,31 +238,36 @@ def faults(kills):
 def other_faults(few):
     flood = "#!/bin/sh\nwhile :; do head -c 100000 /dev/urandom; head -c 100000 /dev/urandom >&2; done\n"
     brief = ["--set=pipelines.default.time_limit_s=0.5", "--set=pipelines.fukuhara.time_limit_s=0.5"]
+    noise = fake_engine("#!/bin/sh\nhead -c 300000 /dev/urandom\n")
     find_part = 'while [ "$1" != --part ]; do shift; done\n'
-    liar = "#!/bin/sh\n" + find_part + 'head -c 100000 /dev/urandom > "$2"\n'
+    liar = fake_engine("#!/bin/sh\n" + find_part + 'head -c 100000 /dev/urandom > "$2"\n')
+    no_part = "failed: the worker left no whole part: N.part: "
+    gone = r"failed: N\.part: cannot open: No such file or directory"
     return [
-        ("SIGTERM to the front", request(signal.SIGTERM), few),
-        ("SIGINT to the front", request(signal.SIGINT), few),
-        ("worker stopped (SIGSTOP) under a time limit", stop_worker, few),
-        ("worker prints noise for ever, under a time limit", fake_engine(flood, options=brief), 1),
-        ("worker prints noise and ends with 0", fake_engine("#!/bin/sh\nhead -c 300000 /dev/urandom\n"), 1),
-        ("worker ends with 0 and leaves no part", fake_engine("#!/bin/sh\nexit 0\n"), 1),
-        ("worker ends with 0 and leaves noise as its part", fake_engine(liar), 1),
-        ("worker is no program", fake_engine("not a program\n"), 1),
-        ("worker may not be executed", fake_engine("#!/bin/sh\n", mode=0o644), 1),
-        ("part cut to its half under way", damage_part(cut), few),
-        ("part overwritten from its start under way", damage_part(overwrite), few),
-        ("64 bytes in the first 64 kB of a part overwritten under way", damage_part(overwrite_some), 2 * few),
-        ("64 bytes in the first 64 kB of a whole part overwritten", damage_whole_part, 4 * few),
-        ("part removed under way", damage_part(lambda part, rng: part.unlink()), few),
-        ("folder of the parts removed under way", damage_part(lambda part, rng: remove(part.parent)), few),
-        ("file size limit (ulimit -f), any", limit_file_size, 2 * few),
-        ("full disk (tmpfs), any size", fill_disk, 2 * few),
-        ("read-only output folder (tmpfs)", read_only_folder, 1),
-        ("output folder removed under way", remove_folder, few),
-        ("scenario removed under way", remove_scenario, few),
-        ("log of a replay removed under way", remove_log, few),
-        ("second run into the same file meanwhile", run_twice, few),
+        ("SIGTERM to the front", request(signal.SIGTERM), few, STOPPED),
+        ("SIGINT to the front", request(signal.SIGINT), few, STOPPED),
+        ("worker stopped (SIGSTOP) under a time limit", stop_worker, few, fails(TIMEOUT)),
+        ("worker prints noise for ever, under a time limit", fake_engine(flood, options=brief), 1, fails(TIMEOUT)),
+        ("worker prints noise and ends with 0", noise, 1, fails(no_part + "no such file")),
+        ("worker ends with 0 and leaves no part", fake_engine("#!/bin/sh\nexit 0\n"), 1, fails(no_part + "no such file")),
+        ("worker ends with 0 and leaves noise as its part", liar, 1, fails(no_part + "not an HDF5 file.*")),
+        ("worker is no program", fake_engine("not a program\n"), 1, fails("failed: cannot start .*: Exec format error")),
+        ("worker may not be executed", fake_engine("#!/bin/sh\n", mode=0o644), 1, fails("no file")),
+        ("part cut to its half under way", damage_part(cut), few, fails("failed: .*cut the file short|" + no_part + ".*")),
+        ("part overwritten from its start under way", damage_part(overwrite), few, fails(r"failed: .*N\.part: .*")),
+        ("64 bytes in the first 64 kB of a part overwritten under way", damage_part(overwrite_some), 2 * few, UNNOTICED),
+        ("64 bytes in the first 64 kB of a whole part overwritten", damage_whole_part, 4 * few, UNNOTICED),
+        ("part removed under way", damage_part(lambda part, rng: part.unlink()), few, fails(gone)),
+        ("folder of the parts removed under way", damage_part(lambda part, rng: remove(part.parent)), few,
+         fails(gone + r"; failed: resolved\.yaml: cannot be read")),
+        ("file size limit (ulimit -f), any", limit_file_size, 2 * few, SPACE),
+        ("full disk (tmpfs), any size", fill_disk, 2 * few, SPACE),
+        ("read-only output folder (tmpfs)", read_only_folder, 1, Promise({"2": "no file"})),
+        ("output folder removed under way", remove_folder, few, fails("no file")),
+        ("scenario removed under way", remove_input("s.yaml", SCRIPTED), few, fails(INPUT_CHANGED)),
+        ("log of a replay removed under way", remove_input("log.csv", REPLAYED), few,
+         fails(f"{INPUT_CHANGED}|{NO_LOG}|{INPUT_CHANGED}; {NO_LOG}")),
+        ("second run into the same file meanwhile", run_twice, few, Promise({"2": "ok"})),
     ]
 
 
@@ -259,10 +282,11 @@ def counted(values):
     return "<br>".join(f"{count} x {value}" if several else value for value, count in counts.most_common())
 
 
-def is_bad(seen):
-    words = " ".join([seen["exit"], *seen["recorded"], *seen["salvaged"]])
-    return bool(seen["alive"] or seen["litter"] or len(seen["message"]) > 1 or not seen["again"]
-                or re.search("INCOMPLETE|HANGS|WRONGLY|FAILED|not refused", words))
+def is_bad(seen, promise):
+    recorded = promise.recorded.get(seen["exit"])
+    kept = recorded and re.fullmatch(recorded, "; ".join(seen["recorded"])) and set(seen["salvaged"]) <= promise.parts
+    lost = promise.parts == WHOLE_PARTS and seen["recorded"] == ["no file"] and not seen["salvaged"]
+    return bool(not kept or lost or seen["alive"] or seen["litter"] or len(seen["message"]) > 1 or not seen["again"])
 
 
 def incomplete_files(trials):
@@ -276,7 +300,7 @@ def row(name, trials):
     litter = sum(len(seen["litter"]) for seen in trials)
     recorded = counted("; ".join(seen["recorded"]) for seen in trials)
     cells = [name, len(trials), counted(seen["exit"] for seen in trials), recorded, incomplete_files(trials), alive,
-             litter, salvaged, f"{again} of {len(trials)}", sum(map(is_bad, trials))]
+             litter, salvaged, f"{again} of {len(trials)}", sum(seen["bad"] for seen in trials)]
     return "| " + " | ".join(map(str, cells)) + " |"
 
 
@@ -292,7 +316,8 @@ that is not ok ("no file": nothing stands under the result's name). Incomplete: 
 whole. Alive: processes five seconds after the front's end. Litter: files that are not documented. Salvaged: parts
 that a killed front had left; all that was salvaged is bit by bit the beginning of the undisturbed run, "nothing yet"
 is said in one line. Again: second runs that completed, equal an undisturbed one outside timing/ and provenance, and
-left nothing else. Bad: trials with anything not as promised; whatever does not end within a minute is one.
+left nothing else. Bad: trials with anything not as promised: of each fault also the exit, what is recorded and what
+becomes of the parts; whatever does not end within a minute is one.
 
 **{trials} trials, {killed} of them kills (and {too_late} that came too late): {incomplete} incomplete files under a final
 name, {alive} processes and {litter} undocumented files left behind, {salvaged} parts salvaged of {parts}, {again} of {trials} second
@@ -314,7 +339,7 @@ def head(arguments, everything, killed, too_late, references):
         short_s=references[SHORT_S][1], long_s=references[LONG_S][1], trials=len(everything), killed=killed,
         too_late=too_late, incomplete=incomplete_files(everything), alive=sum(seen["alive"] for seen in everything),
         litter=sum(len(seen["litter"]) for seen in everything), salvaged=parts.count("salvaged"), parts=len(parts),
-        again=sum(seen["again"] for seen in everything), bad=sum(map(is_bad, everything)))
+        again=sum(seen["again"] for seen in everything), bad=sum(seen["bad"] for seen in everything))
 
 
 def undisturbed(folder, programs, duration_s):
@@ -346,16 +371,17 @@ def main():
     everything, rows, left_out, killed, too_late = [], [], [], 0, 0
     with tempfile.TemporaryDirectory() as top:
         references = {seconds: undisturbed(pathlib.Path(top), programs, seconds) for seconds in (SHORT_S, LONG_S)}
-        for name, fault, times in faults(arguments.kills):
+        for name, fault, times, promise in faults(arguments.kills):
             if fault in ROOT_ONLY and os.geteuid() != 0:
                 left_out.append(name)
                 continue
             trials = []
             while len(trials) < times:
                 seen, hit = one_trial(fault, programs, rng, references)
-                if is_bad(seen):
+                seen["bad"] = is_bad(seen, promise if hit else UNDISTURBED)
+                if seen["bad"]:
                     print("NOT AS PROMISED", seen, file=sys.stderr, flush=True)
-                if hit or is_bad(seen):
+                if hit or seen["bad"]:
                     trials.append(seen)
                 else:
                     too_late += 1
@@ -367,7 +393,7 @@ def main():
     text = head(arguments, everything, killed, too_late, references) + "\n".join(rows) + "\n" + tail
     arguments.output.parent.mkdir(parents=True, exist_ok=True)
     arguments.output.write_text(text)
-    return 1 if any(map(is_bad, everything)) else 0
+    return 1 if any(seen["bad"] for seen in everything) else 0
 
 
 if __name__ == "__main__":

@@ -101,15 +101,12 @@ class Trial:
     def sometime(self):
         time.sleep(self.rng.uniform(0, self.time_s))
 
-    def part(self, at_least=20000):
-        """One that has grown to so many bytes."""
+    def parts(self, at_least=20000):
+        """Those that have grown to so many bytes."""
         try:
-            for part in (self.folder / "out").glob(".run.h5.*/*.part"):
-                if part.stat().st_size > at_least:
-                    return part
+            return [part for part in (self.folder / "out").glob(".run.h5.*/*.part") if part.stat().st_size > at_least]
         except OSError:  # just removed
-            pass
-        return None
+            return []
 
     def kill(self, pids, number=signal.SIGKILL):
         self.hit = bool(pids) and self.front.poll() is None

@@ -184,15 +184,25 @@ void Experiment::keepPart(std::size_t index, const fs::path& name) {
     fs::remove(kept, error);
     return;
   }
-  if (!keep_parts_) return;
+  if (keep_parts_) keepUnder(kept, index);
+}
+
+void Experiment::keepUnder(const fs::path& kept, std::size_t index) {
+  const fs::path part = partOf(index);
   try {
-    tryReading(partOf(index), [&] { inspectPart(partOf(index)); });
-    inspectPart(partOf(index));
-  } catch (const InputError&) {
-    return;  // nothing in it
+    if (!fs::exists(part)) throw RunError("nothing was written");
+    tryReading(part, [&] { inspectPart(part); });
+    inspectPart(part);
+    fs::rename(part, kept);
+    kept_parts_.push_back(kept);
+  } catch (const fs::filesystem_error& error) {
+    unkept_parts_.push_back(results_[index].pipeline.name + ": " + error.code().message());
+  } catch (const std::runtime_error& error) {
+    std::string reason = error.what();
+    const std::string about = part.string() + ": ";
+    if (reason.starts_with(about)) reason.erase(0, about.size());
+    unkept_parts_.push_back(results_[index].pipeline.name + ": " + reason);
   }
-  fs::rename(partOf(index), kept, error);
-  if (!error) kept_parts_.push_back(kept);
 }
 
 }  // namespace fissure

@@ -47,6 +47,8 @@ class Experiment {
   /// `<output>.<run>.part` of each run that is not whole in a result, when they are kept and something is in
   /// them.
   const std::vector<std::filesystem::path>& keptParts() const { return kept_parts_; }
+  /// A line for each run whose part should have been kept and could not be: its name, and why.
+  const std::vector<std::string>& unkeptParts() const { return unkept_parts_; }
   const std::vector<PartResult>& results() const { return results_; }
   const std::string& error() const { return error_; }
   const std::optional<ResultInfo>& info() const { return info_; }  ///< of the file that close() wrote
@@ -62,6 +64,7 @@ class Experiment {
   void writeResult(const std::string& command_line);
   void noteUnreadableParts();
   void keepPart(std::size_t index, const std::filesystem::path& name);
+  void keepUnder(const std::filesystem::path& kept, std::size_t index);
 
   CheckedScenario checked_;
   std::filesystem::path output_;
@@ -73,6 +76,7 @@ class Experiment {
   std::vector<CheckedExpectation> expectations_;
   std::string error_;
   std::vector<std::filesystem::path> kept_parts_;
+  std::vector<std::string> unkept_parts_;
   std::string input_hashes_;  ///< when the scenario was read
   RunTimes times_;
   std::optional<std::chrono::steady_clock::time_point> start_;

@@ -82,6 +82,7 @@ void printText(const std::vector<Experiment>& experiments) {
     const std::string& name = experiment.checked().loaded.scenario.name;
     for (const fs::path& part : experiment.keptParts())
       std::cout << "part: " << part.string() << " (for fissure salvage)\n";
+    for (const std::string& run : experiment.unkeptParts()) std::cout << "no part kept of " << run << "\n";
     if (!experiment.error().empty()) {
       std::cerr << experiment.error() << "\n";
       continue;
@@ -131,7 +132,7 @@ Verb addRun(CLI::App& app, const std::string& command_line) {
   CLI::App* command = app.add_subcommand("run", "simulate scenarios and write one result file for each");
   addScenarioOptions(*command, options->scenarios);
   command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
-      ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); });
+      ->check(notEmpty);
   command->add_flag("--force", options->rules.replace, "replace an existing result");
   command->add_flag("--keep-parts", options->rules.keep_parts,
                     "keep what unfinished runs have written, as <result>.<run>.part, for salvage");

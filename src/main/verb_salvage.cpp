@@ -69,11 +69,12 @@ Verb addSalvage(CLI::App& app, const std::string& command_line) {
   command
       ->add_option("PART", options->part,
                    "part file: <result>.<run>.part, or .<result>.*/*.part after the death of fissure itself")
-      ->required();
+      ->required()
+      ->check(notEmpty);
   command
       ->add_option("-o,--output", options->output,
                    "result file; default: results/<scenario's name>.<run>.salvaged.h5")
-      ->check([](const std::string& file) { return file.empty() ? "names no file" : std::string(); });
+      ->check(notEmpty);
   command->add_flag("--force", options->force, "replace an existing result");
   return {command, [options, command_line] { return salvage(*options, command_line); }};
 }

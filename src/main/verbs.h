@@ -12,6 +12,11 @@ struct Verb {
   std::function<int()> action;
 };
 
+/// A check for options that name a file: what is wrong with its value, or nothing.
+inline std::string notEmpty(const std::string& file) {
+  return file.empty() ? "names no file" : "";
+}
+
 /// `command_line`: as provenance records it.
 Verb addRun(CLI::App& app, const std::string& command_line);
 Verb addPlan(CLI::App& app);

@@ -168,6 +168,35 @@ TEST(Salvage, StoppedRunKeepsItsPartOnRequestOnly) {
   EXPECT_EQ(runFissure(folder, {"salvage", "out.h5.fukuhara.part", "-o", "salvaged.h5"}).code, 0);
 }
 
+TEST(Salvage, WhatCouldNotBeKeptIsSaid) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{name: a, pipeline: fukuhara}, {name: b, pipeline: fukuhara}]"));
+  folder.write("fissure-engine-f64",
+               "#!/bin/sh\n"
+               "while [ \"$1\" != --part ]; do shift; done\n"
+               "case $2 in *0.part) exit;; *) echo noise > \"$2\"; esac\n");
+  fs::permissions(folder / "fissure-engine-f64", fs::perms::owner_all);
+  for (const bool keep : {false, true}) {
+    std::vector<std::string> words = {"env",
+                                      "FISSURE_ENGINE_DIR=" + folder.path().string(),
+                                      fissureProgram(),
+                                      "run",
+                                      "s.yaml",
+                                      "-o",
+                                      "out.h5",
+                                      "--force"};
+    if (keep) words.push_back("--keep-parts");
+    const Outcome outcome = runTool(folder, words);
+    EXPECT_EQ(outcome.code, 3);
+    EXPECT_EQ(outcome.out.starts_with("no part kept of a: nothing was written\n"
+                                      "no part kept of b: not an HDF5 file"),
+              keep)
+        << outcome.out;
+    EXPECT_EQ(outcome.out.find("no part kept") != std::string::npos, keep) << outcome.out;
+    EXPECT_EQ(folder.names(), (Names{"fissure-engine-f64", "out.h5", "s.yaml"}));
+  }
+}
+
 // A part whose log is gone: its scenario is read without it.
 TEST(Salvage, NeedsNoneOfTheInputs) {
   const Folder folder;
@@ -211,6 +240,7 @@ TEST(Salvage, RefusesWhatItCannotUse) {
   expectRefused(folder, {"salvage", "empty.part"}, "empty.part: not an HDF5 file");
   expectRefused(folder, {"salvage", "whole.h5"}, "whole.h5: a result, expected the part file of one run");
   expectRefused(folder, {"salvage"}, "PART is required");
+  expectRefused(folder, {"salvage", ""}, "PART: names no file");
   EXPECT_FALSE(fs::exists(folder / "results"));
 }
 
