@@ -16,6 +16,7 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
   }
   if (settings_.response == ContactResponse::momentum)
     impulses_.emplace(scene.vertexCount(), settings_.sweeps);
+  put_inside_.assign(scene.tools.size(), 1);
   for (const SceneBody& body : scene.bodies) {
     before_m_.insert(before_m_.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
   }
@@ -25,6 +26,7 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
                        const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
                        double dt_s, State& state, ContactPatch& patch) {
   detect(positions_m, tools_before, tools_now);
+  if (settings_.vertex_contacts) noteToolsPutInside();
   constraints_.clear();
   for (NodeCandidate& candidate : candidates_) {
     if (candidate.state == NodeState::infeasible) continue;
@@ -32,8 +34,10 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
     constraints_.push_back(candidate.constraint);
   }
   node_constraints_ = constraints_.size();
-  if (vertex_sides_) vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, constraints_);
-  if (rim_edges_) rim_edges_->find(positions_m, before_m_, tools_now, tools_before, constraints_);
+  if (vertex_sides_)
+    vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
+  if (rim_edges_)
+    rim_edges_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
   if (patch.tools.size() > 1) noteDisplacements(positions_m);
   state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
   report(state, patch);
@@ -63,6 +67,19 @@ void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<To
     rays_.cast(body, positions_m, before_m_, tools_now, tools_before, candidates_);
     if (settings_.association) associations_[body].judge(std::span(candidates_).subspan(first));
   }
+}
+
+// Such a tool has tissue on sides through which it must be dragged: what holds vertices and edges there works
+// against the nodes, which push the tool out at another, and the sweeps would throw the tissue far away.
+void NodeContact::noteToolsPutInside() {
+  for (std::size_t tool = 0; tool < put_inside_.size(); ++tool) {
+    if (!put_inside_[tool]) continue;
+    put_inside_[tool] = std::any_of(candidates_.begin(), candidates_.end(), [&](const NodeCandidate& c) {
+      const bool acts = c.state != NodeState::infeasible && c.constraint.tool == static_cast<int>(tool);
+      return acts && (!first_step_ || c.depth_m - c.approach_m > c.constraint.target_m);
+    });
+  }
+  first_step_ = false;
 }
 
 // What node and tissue approached in the step is always undone; overlap beyond that (a tool that starts

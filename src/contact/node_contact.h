@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <vector>
@@ -24,7 +25,8 @@ enum class ContactResponse {
 
 struct NodeContactSettings {
   bool association = true;  ///< false: ray casting only, step one without step two (paper, Fig. 3 right)
-  /// Also hold tissue that slips in between the nodes: vertices (VertexSides) and edges (RimEdges).
+  /// Also hold tissue that slips in between the nodes: vertices (VertexSides) and edges (RimEdges). A tool
+  /// that starts inside tissue is pushed free by its nodes alone.
   bool vertex_contacts = false;
   ContactResponse response = ContactResponse::none;
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts
@@ -61,6 +63,7 @@ class NodeContact {
   Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
                const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
                double dt_s);
+  void noteToolsPutInside();
   void limitDisplacement(NodeCandidate& candidate) const;
   void noteDisplacements(std::span<const Vec3> positions_m);
   void report(State& state, ContactPatch& patch) const;
@@ -74,6 +77,10 @@ class NodeContact {
   std::optional<ContactImpulses> impulses_;  ///< response momentum
   int node_count_;
 
+  /// One a tool, 1: in the first step it was deeper in tissue than a margin, and its nodes have had contact
+  /// ever since: vertices and edges are left to them.
+  std::vector<std::uint8_t> put_inside_;
+  bool first_step_ = true;
   std::vector<NodeCandidate> candidates_;
   std::vector<ContactConstraint> constraints_;  ///< of the acting candidates, then of vertices and edges
   std::size_t node_constraints_ = 0;            ///< how many of them are candidates'

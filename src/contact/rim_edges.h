@@ -20,10 +20,10 @@ class RimEdges {
   /// approach, as NodeContactSettings says.
   RimEdges(const Scene& scene, const std::vector<double>& margins_m, double max_displacement_m);
 
-  /// Appends one constraint for each crossing. Arguments as NodeRays::cast.
+  /// Appends one constraint for each crossing. Arguments as VertexSides::find.
   void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
             const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-            std::vector<ContactConstraint>& constraints);
+            std::span<const std::uint8_t> put_inside, std::vector<ContactConstraint>& constraints);
 
  private:
   struct Box {

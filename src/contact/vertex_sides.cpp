@@ -29,8 +29,10 @@ VertexSides::VertexSides(const Scene& scene, const std::vector<double>& margins_
 
 void VertexSides::find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
                        const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
+                       std::span<const std::uint8_t> put_inside,
                        std::vector<ContactConstraint>& constraints) {
   for (Box& box : boxes_) {
+    if (!put_inside.empty() && put_inside[box.tool]) continue;
     const Pose& now = tools_now[box.tool].pose;
     const Pose& before = tools_before[box.tool].pose;
     for (std::size_t v = 0; v < positions_m.size(); ++v) {

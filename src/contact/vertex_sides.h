@@ -21,10 +21,10 @@ class VertexSides {
   VertexSides(const Scene& scene, const std::vector<double>& margins_m);
 
   /// Appends one constraint for each vertex that must be held in front of its side. Arguments as
-  /// NodeRays::cast.
+  /// NodeRays::cast. put_inside: one a tool, 1: as if it were not there; empty: none.
   void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
             const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-            std::vector<ContactConstraint>& constraints);
+            std::span<const std::uint8_t> put_inside, std::vector<ContactConstraint>& constraints);
 
  private:
   static constexpr std::int8_t kNoSide = -1;

@@ -60,7 +60,7 @@ class PrescribedPipeline : public Pipeline {
   void prescribe() {
     world_.readPositions(predicted_m_);
     reached_.clear();
-    sides_.find(predicted_m_, before_m_, now_, before_, reached_);
+    sides_.find(predicted_m_, before_m_, now_, before_, {}, reached_);
     for (const ContactConstraint& contact : reached_) {
       std::optional<Held>& held = held_[contact.vertices[0]];
       if (held) continue;

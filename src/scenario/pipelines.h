@@ -22,8 +22,8 @@ struct PipelineSettings {
   /// L; default: the extent of each body at rest, at least the travel in a step.
   std::optional<double> ray_length_m;
   /// Beyond the paper: also hold tissue vertices and edges that slip in between the nodes of a box tool, each
-  /// on the side it came from. Default: yes for fukuhara, no for raycast; `false` is the paper's method
-  /// alone.
+  /// on the side it came from; a tool that starts inside tissue has its nodes alone until it has been free of
+  /// it. Default: yes for fukuhara, no for raycast; `false` is the paper's method alone.
   std::optional<bool> vertex_contacts;
   /// A name in catalog().responses: what contacts do to the tissue's momentum. Default: momentum for
   /// fukuhara, none (the paper's) for raycast. The reaction that momentum reports assumes bodies of
@@ -31,7 +31,8 @@ struct PipelineSettings {
   std::optional<std::string> response;
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
-  /// feasibility): a tool that starts inside is pushed free over several steps. > 0
+  /// feasibility): a tool that starts inside is pushed free over several steps; what it stretched by then
+  /// snaps back as elastic tissue does. > 0
   double max_displacement_m = 0.005;
 
   double time_limit_s = 3600;  ///< wall clock; a run beyond it is stopped and recorded as "timeout"; > 0

@@ -240,6 +240,54 @@ TEST_F(NodeContactTest, ContactsNameTheirTrianglesVerticesAndNormals) {
   EXPECT_EQ(std::accumulate(patch.vertex_contact.begin(), patch.vertex_contact.end(), 0), 4);
 }
 
+/// A plate of 80 x 10 x 80 mm with contacts of vertices and edges, in a cube whose corners it covers.
+class PlateInACube : public NodeContactTest {
+ protected:
+  void build(bool vertex_contacts) {
+    NodeContactTest::build(0.010,
+                           {.vertex_contacts = vertex_contacts, .response = ContactResponse::momentum});
+    scene.tools[0].box_size_m = Vec3(0.08, 0.010, 0.08);
+    scene.tools[0].nodes = makeGridNodes(*scene.tools[0].box_size_m, {9, 9});
+    contact.emplace(scene, NodeContactSettings{.vertex_contacts = vertex_contacts,
+                                               .response = ContactResponse::momentum,
+                                               .margins_m = {kMargin_m}});
+    positions = scene.bodies[0].rest.vertices_m;
+  }
+  /// The largest way of a vertex in a step with the plate's middle at height y.
+  double wayIn(double y) {
+    const std::vector<Vec3> start = positions;
+    moveTo(y);
+    double way_m = 0;
+    for (std::size_t v = 0; v < start.size(); ++v) way_m = std::max(way_m, (positions[v] - start[v]).norm());
+    return way_m;
+  }
+};
+
+// Its upper face is coplanar with the top of the cube: the corners there are on it, and its nodes push the
+// top down past them. 5 mm a step are the limit at a node; the corner of a triangle may go further than it.
+TEST_F(PlateInACube, IsPushedFreeByItsNodesAloneAndThrowsNothing) {
+  build(true);
+  const double free_y = 0.025;
+  int steps = 0;
+  do {
+    EXPECT_LE(wayIn(free_y), 0.0075) << "step " << steps;
+    EXPECT_EQ(state.contact_count, state.candidate_count - state.infeasible_count) << "nodes alone";
+  } while (state.capped_count > 0 && ++steps < 10);
+  EXPECT_EQ(steps, 2) << "10 mm and a margin";
+  for (const Vec3& p : positions) EXPECT_LE(p.y(), 0.020 - kMargin_m + 1e-6);
+}
+
+// Once it was free of tissue, it is a tool like any other.
+TEST_F(PlateInACube, HoldsVerticesOnceItWasFree) {
+  build(true);
+  moveTo(0.025);
+  moveTo(0.1);
+  EXPECT_EQ(state.contact_count, 0);
+  for (Vec3& p : positions) p.y() = p.y() > 0 ? 0.0945 : 0.03;  // the top within the margin of its lower face
+  moveTo(0.1);
+  EXPECT_EQ(state.contact_count, state.candidate_count + 4) << "the corners, besides the nodes";
+}
+
 // Association that is not mutual: node 0's partner is 1, node 1's partner is 2. All three have candidates
 // that overlap. 0 leads most, so 1 is excluded by 0; 2 must not be excluded by the excluded 1.
 TEST(NodeContactVetoes, OnlyAnActingNodeExcludesOthers) {

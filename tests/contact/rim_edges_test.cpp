@@ -23,7 +23,7 @@ class RimEdgesTest : public testing::Test {
     const std::vector<Vec3> now = {a, b, {0.01, -1, 0}};
     const std::vector<Vec3> before = {a - way, b - way, {0.01, -1, 0}};
     found.clear();
-    edges->find(now, before, {{}}, {{}}, found);
+    edges->find(now, before, {{}}, {{}}, {}, found);
     return found;
   }
   Scene scene;

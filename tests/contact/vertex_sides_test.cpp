@@ -27,7 +27,7 @@ class VertexSidesTest : public testing::Test {
     now[0] = point;
     found.clear();
     sides->find(now, before, {{.pose = {.position_m = Vec3(0, to, 0)}}},
-                {{.pose = {.position_m = Vec3(0, from, 0)}}}, found);
+                {{.pose = {.position_m = Vec3(0, from, 0)}}}, {}, found);
     return found;
   }
 

@@ -186,6 +186,36 @@ TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
   }
 }
 
+// A box 10 mm thick lies in the sphere from the start, one face exactly in a ring of its vertices. The nodes
+// push it free, at most 5 mm a step at a node, and vertices in the plane of the face are not held against
+// them.
+TEST(Simulation, AToolThatStartsInTissueThrowsNothing) {
+  Scenario scenario = press();
+  scenario.tools[0].shape.size_m = Vec3(0.04, 0.01, 0.015);
+  const Scene scene = sceneOf(scenario, true);
+  std::vector<double> rings;
+  for (const Vec3& vertex : scene.bodies[0].rest.vertices_m) rings.push_back(vertex.y());
+  std::sort(rings.begin(), rings.end());
+  const double ring_m = rings[rings.size() - 2];  // below the top
+  std::vector<std::vector<Vec3>> ends;
+  for (const bool vertex_contacts : {false, true}) {
+    const PipelineSettings entry{
+        .name = "p", .pipeline = "fukuhara", .precision = "f64", .vertex_contacts = vertex_contacts};
+    const Pose pose = at(ring_m - 0.005);
+    auto simulation = makeSimulation(scenario, entry, scene, {pose});
+    std::vector<Vec3> before = simulation->state().positions_m;
+    for (int i = 0; i < 20; ++i) {
+      simulation->step({pose});
+      const std::vector<Vec3>& now = simulation->state().positions_m;
+      for (std::size_t v = 0; v < now.size(); ++v)
+        ASSERT_LE((now[v] - before[v]).norm(), 0.01) << "step " << i << ", vertex " << v;
+      before = now;
+    }
+    ends.push_back(before);
+  }
+  EXPECT_EQ(ends[0], ends[1]) << "until it is free, with its nodes alone";
+}
+
 // The blade comes down onto the sphere: no contact before it is there, then some, and the vertices of its
 // clusters collide.
 TEST(Simulation, ClustersCollideWithTheBlade) {
