@@ -53,6 +53,17 @@ std::string cell(const Column& column, const Summary& summary) {
   return "-";
 }
 
+/// A line for each law whose force overflowed, though the run itself is sound.
+std::string overflows(const PipelineResult& pipeline) {
+  constexpr std::string_view name = "force_non_finite_at_step_";
+  std::string text;
+  for (const SummaryValue& value : pipeline.summary)
+    if (value.name.starts_with(name))
+      text += pipeline.name + ": the force of law " + value.name.substr(name.size()) +
+              " is not finite, first at step " + summaryText(value) + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string resultTable(const std::vector<PipelineResult>& pipelines) {
@@ -69,6 +80,7 @@ std::string resultTable(const std::vector<PipelineResult>& pipelines) {
     rows.push_back(row);
     if (pipeline.status.status != "ok")
       details += pipeline.name + ": " + pipeline.status.status + ": " + pipeline.status.detail + "\n";
+    details += overflows(pipeline);
   }
   return alignedText(rows, 2) + details;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace fissure {
 
@@ -38,7 +39,7 @@ constexpr std::array<Term, 8> terms = {{
 }  // namespace
 
 ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene) {
-  for (const ForceSettings& law : scenario.force) laws_.push_back({law.name, {}, {}});
+  for (const ForceSettings& law : scenario.force) laws_.push_back({.name = law.name});
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
   limits_N_.resize(tools_.size());
   for (const ToolSettings& tool : scenario.tools) {
@@ -96,6 +97,8 @@ void ForceProbe::sample(const State& state, RecordRow& row) {
     const double magnitude_N = force.force_on_tool_N.norm();
     laws_[i].max_N.add(magnitude_N);
     laws_[i].roughness.add(magnitude_N);
+    const bool finite = std::isfinite(magnitude_N + force.elastic_N + force.viscous_N);
+    if (!finite && !laws_[i].non_finite_at_step) laws_[i].non_finite_at_step = state.step;
     if (!tools_.empty()) sampleTools(state, i, row);
   }
   row[triangles_column_] = state.colliding_triangles;
@@ -125,7 +128,11 @@ void ForceProbe::summarize(Summary& summary) const {
       summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
   };
   add(laws_.front(), "");
-  for (const Law& law : laws_) add(law, "_" + law.name);
+  for (const Law& law : laws_) {
+    add(law, "_" + law.name);
+    if (law.non_finite_at_step)
+      summary.push_back({"force_non_finite_at_step_" + law.name, *law.non_finite_at_step});
+  }
 }
 
 }  // namespace fissure

@@ -14,7 +14,7 @@ namespace fissure {
 /// deformation(law) and its rate(law); tool_force(law, tool, xyz); where a tool has a force limit
 /// saturated(law, tool), the force itself stays as it is. Scalars: the largest magnitude, the roughness and,
 /// with a limit, the steps in which a tool was saturated, of every law; those of the first law under their
-/// short names too.
+/// short names too. force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed.
 class ForceProbe : public Probe {
  public:
   /// Laws and limits from `scenario`, which has at least one law; State::forces is in their order.
@@ -30,6 +30,7 @@ class ForceProbe : public Probe {
     RunningMax max_N;
     Roughness roughness;
     long long saturated_steps = 0;
+    std::optional<long long> non_finite_at_step;
   };
   void declareTools(RecordLayout& layout);
   void sampleTools(const State& state, std::size_t law, RecordRow& row);

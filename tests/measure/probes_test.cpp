@@ -262,6 +262,21 @@ TEST_F(ProbesTest, ForceOfEachLaw) {
   EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
 }
 
+// Components whose magnitude is beyond what a double holds, and terms that are no number.
+TEST_F(ProbesTest, TheFirstStepWithAForceThatIsNotFiniteIsNamedByLaw) {
+  addLaws({"hc", "linear", "kv"});
+  start();
+  for (int i = 0; i < 5; ++i) {
+    state_.forces[0].force_on_tool_N.y() = i < 3 ? 1e100 : 1e200;
+    state_.forces[1].viscous_N = i == 1 ? kNaN : 0;
+    step();
+  }
+  EXPECT_EQ(count("force_non_finite_at_step_hc"), 3);
+  EXPECT_EQ(count("force_non_finite_at_step_linear"), 1) << "the first, though later ones are finite";
+  EXPECT_EQ(scalar("force_non_finite_at_step_kv").name, "absent");
+  EXPECT_EQ(real("max_force_hc_N"), std::numeric_limits<double>::infinity());
+}
+
 TEST_F(ProbesTest, DeformationStatisticsOfEachLaw) {
   addLaws({"hc", "linear"});
   start();

@@ -54,6 +54,30 @@ TEST(Force, SaturationIsFlaggedAgainstTheDevicesLimit) {
   EXPECT_EQ(scalar(readResultInfo(folder / "out.h5"), "saturated_steps"), beyond);
 }
 
+// 1e308 N/m overflows; tissue, tool and the other law are as without it.
+TEST(Force, ALawThatOverflowsIsNamedWithItsStep) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03",
+                                       "force:\n  - {name: hc, model: hunt_crossley}\n"
+                                       "  - {name: huge, model: linear_elastic, k: 1e308}\n"));
+  const Outcome run = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  EXPECT_EQ(run.code, 0) << "the simulation is sound";
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  const long long step = scalar(info, "force_non_finite_at_step_huge");
+  const SeriesData force = readSeries(folder / "out.h5", "/pipelines/fukuhara/force");
+  for (long long i = 0; i < 31; ++i) {
+    const double* at = &force.values[static_cast<std::size_t>(3 * (31 + i))];
+    const bool finite = std::isfinite(std::sqrt(at[0] * at[0] + at[1] * at[1] + at[2] * at[2]));
+    EXPECT_TRUE(i < step ? finite : i > step || !finite) << i;
+  }
+  const std::string line =
+      "fukuhara: the force of law huge is not finite, first at step " + std::to_string(step) + "\n";
+  for (const std::string& shown : {run.out, runFissure(folder, {"info", "out.h5"}).out}) {
+    EXPECT_NE(shown.find(line), std::string::npos) << shown;
+    EXPECT_EQ(shown.find("law hc"), std::string::npos) << shown;
+  }
+}
+
 TEST(Force, WithoutADeviceNothingIsSaturated) {
   const Folder folder;
   folder.write("s.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", laws));
