@@ -32,9 +32,10 @@ void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
   forgetOldOverlap(constraints, inverse_masses);
 }
 
-Vec3 ContactImpulses::total() const {
+Vec3 ContactImpulses::total(std::span<const double> factors) const {
   Vec3 total = Vec3::Zero();
-  for (std::size_t i = 0; i < pushes_.size(); ++i) total += pushes_[i].kg_m * normals_[i];
+  for (std::size_t i = 0; i < pushes_.size(); ++i)
+    total += pushes_[i].kg_m * factors[pushes_[i].vertex] * normals_[i];
   return total;
 }
 
@@ -48,6 +49,7 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
     const ContactConstraint& contact = constraints[i];
     Push& push = pushes_[i];
     normals_[i] = contact.normal;
+    push.vertex = contact.vertices[0];
     for (int j = 0; j < 3; ++j)
       push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
     const Pose& from = tools_before[contact.tool].pose;

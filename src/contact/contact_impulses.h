@@ -26,11 +26,13 @@ class ContactImpulses {
   /// Of the last apply, for each vertex: its displacement as far as it is motion; over the time step, the
   /// change of its velocity.
   std::span<const Vec3> motion_m() const { return motion_m_; }
-  /// Impulse of all contacts on the tissue, times the time step: kg m.
-  Vec3 total() const;
+  /// Impulse of all contacts on the tissue, times the time step: kg m; each contact's times the factor of its
+  /// first vertex.
+  Vec3 total(std::span<const double> factors) const;
 
  private:
   struct Push {
+    int vertex = 0;            ///< the first of its triangle
     double mobility = 0;       ///< of the tissue point along the normal, 1/kg
     double kg_m = 0;           ///< impulse so far times the time step, never negative
     double tool_way_m = 0;     ///< of the tool point in the step, along the normal

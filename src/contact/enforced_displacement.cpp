@@ -33,11 +33,13 @@ void EnforcedDisplacement::apply(std::span<const ContactConstraint> constraints,
 }
 
 Vec3 EnforcedDisplacement::movedMass(std::span<const double> inverse_masses,
-                                     std::span<const Vec3> positions_m) const {
+                                     std::span<const Vec3> positions_m,
+                                     std::span<const double> factors) const {
   Vec3 moved = Vec3::Zero();
   for (std::size_t i = 0; i < touched_.size(); ++i) {
-    const double inverse_mass = inverse_masses[touched_[i]];
-    if (inverse_mass > 0) moved += (positions_m[touched_[i]] - before_m_[i]) / inverse_mass;
+    const int vertex = touched_[i];
+    if (inverse_masses[vertex] > 0)
+      moved += factors[vertex] * (positions_m[vertex] - before_m_[i]) / inverse_masses[vertex];
   }
   return moved;
 }

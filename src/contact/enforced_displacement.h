@@ -19,8 +19,9 @@ class EnforcedDisplacement {
   void apply(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
              std::span<Vec3> positions_m);
 
-  /// Sum of mass times displacement of the last apply, kg m.
-  Vec3 movedMass(std::span<const double> inverse_masses, std::span<const Vec3> positions_m) const;
+  /// Sum of mass times displacement of the last apply, kg m; each vertex' times its factor.
+  Vec3 movedMass(std::span<const double> inverse_masses, std::span<const Vec3> positions_m,
+                 std::span<const double> factors) const;
 
  private:
   int sweeps_;

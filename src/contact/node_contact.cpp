@@ -17,8 +17,11 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
   if (settings_.response == ContactResponse::momentum)
     impulses_.emplace(scene.vertexCount(), settings_.sweeps);
   put_inside_.assign(scene.tools.size(), 1);
-  for (const SceneBody& body : scene.bodies) {
-    before_m_.insert(before_m_.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const std::vector<Vec3>& rest_m = scene.bodies[b].rest.vertices_m;
+    before_m_.insert(before_m_.end(), rest_m.begin(), rest_m.end());
+    const double scale = settings_.time_scales.empty() ? 1 : settings_.time_scales.at(b);
+    force_factors_.insert(force_factors_.end(), rest_m.size(), 1 / (scale * scale));
   }
 }
 
@@ -53,10 +56,10 @@ Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> i
                           double dt_s) {
   if (impulses_) {
     impulses_->apply(constraints_, inverse_masses, tools_before, tools_now, before_m_, positions_m);
-    return -impulses_->total() / (dt_s * dt_s);
+    return -impulses_->total(force_factors_) / (dt_s * dt_s);
   }
   displacement_.apply(constraints_, inverse_masses, positions_m);
-  return -displacement_.movedMass(inverse_masses, positions_m) / (dt_s * dt_s);
+  return -displacement_.movedMass(inverse_masses, positions_m, force_factors_) / (dt_s * dt_s);
 }
 
 void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,

@@ -34,6 +34,7 @@ struct NodeContactSettings {
       {};                             ///< default: each body's extent, at least the node's travel in the step
   double max_displacement_m = 0.005;  ///< of tissue at a node, beyond the approach of the step itself
   std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
+  std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
 };
 
 /// The collision method of the paper on plain arrays: node ray casting, feasibility by node association,
@@ -59,7 +60,7 @@ class NodeContact {
  private:
   void detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
               const std::vector<ToolState>& tools_now);
-  /// Moves the tissue; the reaction on the tools, newtons.
+  /// Moves the tissue; the reaction on the tools, newtons: a body's momentum over its own time.
   Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
                const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
                double dt_s);
@@ -76,6 +77,7 @@ class NodeContact {
   EnforcedDisplacement displacement_;
   std::optional<ContactImpulses> impulses_;  ///< response momentum
   int node_count_;
+  std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
 
   /// One a tool, 1: in the first step it was deeper in tissue than a margin, and its nodes have had contact
   /// ever since: vertices and edges are left to them.

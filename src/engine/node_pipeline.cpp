@@ -16,8 +16,12 @@ NodeContactSettings contactSettings(const PipelineContext& context) {
                                .sweeps = context.settings.sweeps,
                                .ray_length_m = context.settings.ray_length_m,
                                .max_displacement_m = context.settings.max_displacement_m,
-                               .margins_m = {}};
-  for (const BodySettings& body : context.scenario.bodies) settings.margins_m.push_back(body.margin_m);
+                               .margins_m = {},
+                               .time_scales = {}};
+  for (const BodySettings& body : context.scenario.bodies) {
+    settings.margins_m.push_back(body.margin_m);
+    settings.time_scales.push_back(body.solver.time_scale);
+  }
   return settings;
 }
 

@@ -55,7 +55,7 @@ struct SolverSettings {
   double soft_hardness = 1.0;          ///< kSHR, 0..1: contacts with soft bodies
   double anchor_hardness = 0.7;        ///< kAHR, 0..1
   double max_volume = 1.0;             ///< maxvolume, of pose matching, > 0
-  double time_scale = 1.0;             ///< timescale, > 0
+  double time_scale = 1.0;             ///< timescale, > 0: its own time over the scene's (reaction: README)
   int velocity_iterations = 0;         ///< viterations, 0..1000
   int position_iterations = 1;         ///< piterations, 1..1000
   int drift_iterations = 0;            ///< diterations, 0..1000

@@ -26,8 +26,7 @@ struct PipelineSettings {
   /// it. Default: yes for fukuhara, no for raycast; `false` is the paper's method alone.
   std::optional<bool> vertex_contacts;
   /// A name in catalog().responses: what contacts do to the tissue's momentum. Default: momentum for
-  /// fukuhara, none (the paper's) for raycast. The reaction that momentum reports assumes bodies of
-  /// time_scale 1.
+  /// fukuhara, none (the paper's) for raycast.
   std::optional<std::string> response;
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:

@@ -31,6 +31,7 @@ class ContactImpulsesTest : public testing::Test {
     const std::vector<ToolState> was = {{.pose = {.position_m = Vec3(0, -tool_way_m, 0)}}};
     impulses->apply(constraints, inverse_masses, was, {{}}, before, positions);
   }
+  Vec3 total() const { return impulses->total(std::vector<double>(3, 1.0)); }
   double motion(int vertex) const { return impulses->motion_m()[vertex].y(); }
 
   std::vector<Vec3> before, positions;
@@ -45,7 +46,7 @@ TEST_F(ContactImpulsesTest, AMassThatArrivesIsStoppedAndItsMomentumTaken) {
   apply();
   EXPECT_NEAR(positions[0].y(), 0, kExact);
   EXPECT_NEAR(motion(0), 0.001, kExact);
-  EXPECT_NEAR(impulses->total().y(), 0.1 * 0.001, kExact);
+  EXPECT_NEAR(total().y(), 0.1 * 0.001, kExact);
 }
 
 TEST_F(ContactImpulsesTest, AMassBeforeAToolTakesTheToolsWay) {
@@ -62,7 +63,7 @@ TEST_F(ContactImpulsesTest, OldOverlapIsUndoneWithoutMotion) {
   apply();
   EXPECT_NEAR(positions[0].y(), 0, kExact);
   EXPECT_NEAR(motion(0), 0, kExact);
-  EXPECT_NEAR(impulses->total().y(), 0, kExact);
+  EXPECT_NEAR(total().y(), 0, kExact);
 }
 
 TEST_F(ContactImpulsesTest, OfOverlapThatGrewOnlyTheGrowthIsMotion) {
@@ -79,7 +80,7 @@ TEST_F(ContactImpulsesTest, AMassThatLeavesIsNotTouched) {
   apply();
   EXPECT_EQ(positions[0].y(), 0.0001);
   EXPECT_EQ(motion(0), 0);
-  EXPECT_EQ(impulses->total(), Vec3::Zero());
+  EXPECT_EQ(total(), Vec3::Zero());
 }
 
 // Two masses, one contact in their middle: d m_j w_j im_j / sum(im w^2), lambda = d / sum(im w^2).
@@ -91,7 +92,7 @@ TEST_F(ContactImpulsesTest, AContactBetweenTwoMassesSharesByInverseMass) {
   const double push = 0.0006 / (10 * 0.25 + 20 * 0.25);
   EXPECT_NEAR(motion(0), push * 10 * 0.5, kExact);
   EXPECT_NEAR(motion(1), push * 20 * 0.5, kExact);
-  EXPECT_NEAR(impulses->total().y(), push, kExact);
+  EXPECT_NEAR(total().y(), push, kExact);
 }
 
 // The contact between the masses acts first, then the one at mass 0 makes it needless: what it pushed is
@@ -105,7 +106,7 @@ TEST_F(ContactImpulsesTest, WhatAnotherContactMakesNeedlessIsTakenBack) {
   apply(0, 100);
   EXPECT_NEAR(positions[0].y(), 0, 1e-12);
   EXPECT_NEAR(positions[1].y(), 0.001, 1e-12);
-  EXPECT_NEAR(impulses->total().y(), 0.1 * 0.001, 1e-12);
+  EXPECT_NEAR(total().y(), 0.1 * 0.001, 1e-12);
 }
 
 TEST_F(ContactImpulsesTest, AFixedVertexStays) {
@@ -113,7 +114,7 @@ TEST_F(ContactImpulsesTest, AFixedVertexStays) {
   hold({0, 0, 1});
   apply();
   EXPECT_EQ(positions[2].y(), -0.001);
-  EXPECT_EQ(impulses->total(), Vec3::Zero());
+  EXPECT_EQ(total(), Vec3::Zero());
 }
 
 // Any contacts: the momentum that the tissue gets is what the contacts say they gave, and none pulls.
@@ -143,7 +144,8 @@ TEST(ContactImpulses, MomentumBalancesForAnyContacts) {
     impulses.apply(constraints, inverse_masses, was, {{}}, before, positions);
     Vec3 given = Vec3::Zero();
     for (int v = 0; v < 12; ++v) given += impulses.motion_m()[v] / inverse_masses[v];
-    ASSERT_NEAR((given - impulses.total()).norm(), 0, 1e-14 * std::max(1.0, given.norm()));
+    ASSERT_NEAR((given - impulses.total(std::vector<double>(12, 1.0))).norm(), 0,
+                1e-14 * std::max(1.0, given.norm()));
     ASSERT_GT(given.norm(), 1e-6) << "no contact, no test";
   }
 }

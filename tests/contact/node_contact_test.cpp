@@ -217,6 +217,24 @@ TEST_F(NodeContactTest, TissueOnBothSidesOfABladeIsNoConflict) {
   EXPECT_EQ(state.infeasible_count, 0);
 }
 
+// The same press on a body that lives twice as fast: moved alike, but by four
+// times less force, as it has twice the time for half the speed.
+TEST_F(NodeContactTest, AReactionIsInItsBodysOwnTime) {
+  for (const ContactResponse response : {ContactResponse::none, ContactResponse::momentum}) {
+    std::vector<double> reactions_N;
+    for (const double scale : {1.0, 2.0}) {
+      positions.clear();
+      now.clear();
+      build(0.002, {.response = response, .time_scales = {scale}});
+      moveTo(0.035);
+      moveTo(0.030);
+      reactions_N.push_back(state.reaction_on_tool_N.y());
+    }
+    EXPECT_GT(reactions_N[1], 0);
+    EXPECT_DOUBLE_EQ(reactions_N[0], 4 * reactions_N[1]);
+  }
+}
+
 TEST_F(NodeContactTest, AFixedVertexStaysAndTheOthersGiveWay) {
   build(0.002);
   inverse_masses[0] = 0;
