@@ -84,7 +84,8 @@ std::string countLine(const RunComparison& run) {
   std::string text =
       std::to_string(differing) + (differing == 1 ? " quantity differs, " : " quantities differ, ");
   if (within > 0) text += std::to_string(within) + " are within their tolerance, ";
-  return text + std::to_string(equal) + " are equal\n";
+  const std::string& status = run.a.run->status.status;
+  return text + std::to_string(equal) + " are equal" + (status == "ok" ? "" : " (" + status + ")") + "\n";
 }
 
 std::string runText(const RunComparison& run, bool all) {

@@ -57,7 +57,7 @@ int failWithoutReference(const std::string& message) {
 int compare(const CompareOptions& options) {
   const ResultChoice a = parseChoice(options.a);
   ResultChoice b = parseChoice(options.b);
-  if (b.file.empty()) b.file = a.file;
+  if (b.file.empty()) b.file = a.file;  // ":NAME"
   const ResultInfo info_a = readWhole(a.file);
   ResultInfo info_b;
   try {
@@ -117,13 +117,19 @@ int update(const CompareOptions& options) {
 }  // namespace
 
 Verb addCompare(CLI::App& app) {
+  const auto notEmpty = [](const std::string& text) {
+    return text.empty() || text.back() == ':' ? "\"" + text + "\" names no file or run" : std::string();
+  };
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand("compare", "how two results, or two runs of one, differ");
-  command->add_option("A", options->a, "result file, or FILE:NAME for one run of it")->required();
+  command->add_option("A", options->a, "result file, or FILE:NAME for one run of it")
+      ->required()
+      ->check(notEmpty);
   command
       ->add_option("B", options->b,
                    "what it is compared with: a result, a reference, FILE:NAME, or :NAME of the same file")
-      ->required();
+      ->required()
+      ->check(notEmpty);
   command->add_option("--tolerance", options->tolerance_file,
                       "YAML file with a tolerance per quantity; without it nothing may differ");
   command->add_flag("--exact", options->settings.exact, "bit for bit, whatever the tolerances say");

@@ -68,6 +68,10 @@ TEST_F(Compare, TruncatedAndMissingFilesAreOneLine) {
   copy("cut.h5");
   fs::resize_file(folder_ / "cut.h5", fs::file_size(folder_ / "cut.h5") / 2);
   folder_.write("empty.h5", "");
+  for (const std::string nothing : {"", "a.h5:"}) {
+    EXPECT_EQ(compare({nothing, "a.h5"}).code, 2) << nothing;
+    EXPECT_EQ(compare({"a.h5", nothing}).code, 2) << nothing;
+  }
   for (const std::string bad : {"cut.h5", "empty.h5", "missing.h5", "s.yaml", "."}) {
     const Outcome as_result = compare({bad, "a.h5"});
     EXPECT_EQ(as_result.code, 2) << bad;
