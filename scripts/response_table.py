@@ -92,7 +92,7 @@ def press(arguments, folder, config, tool, nodes, step, speed):
     settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
     names = RESPONSES + (["default_tuned"] if config == "plate_press" else [])
     summaries, file = run(arguments, folder, press_text(config), ["alone", *names], settings)
-    own = summaries["alone"]["force_roughness_hc"]
+    own = summaries["alone"]
     for name in names:
         s = summaries[name]
         yield {
@@ -107,7 +107,9 @@ def press(arguments, folder, config, tool, nodes, step, speed):
             "inverted": s["max_inverted_triangles"],
             "max_force_N": s["max_force_hc_N"],
             "roughness": s["force_roughness_hc"],
-            "roughness_alone": own,
+            "roughness_alone": own["force_roughness_hc"],
+            "same_triangles": s["roughness_same_triangles_hc"],
+            "same_triangles_alone": own["roughness_same_triangles_hc"],
             "reaction_roughness": reaction_roughness(file, name) if name in RESPONSES else None,
             "roughness_velocities": s["force_roughness_hc_velocities"],
             "max_force_velocities_N": s["max_force_hc_velocities_N"],
@@ -171,12 +173,13 @@ def press_cell(row):
         return row["status"]
     text = f"{row['depth_mm']:.2f}" + (f" ({row['passed_through']})" if row["passed_through"] else "")
     text += f" [{row['inverted']}]" if row["inverted"] else ""
-    text += f"; {row['roughness'] / row['roughness_alone']:.1f}"
+    text += f"; {row['roughness'] / row['roughness_alone']:.1f}, {row['same_triangles'] / row['same_triangles_alone']:.1f}"
     return text + (f"; {row['reaction_roughness']:.4f}" if row["reaction_roughness"] is not None else "")
 
 
 def write_tables(path, presses, bodies):
-    lines = ["Worst depth in mm; roughness of the force (law hc) over that of the same tissue compressed by prescribed vertices;"]
+    lines = ["Worst depth in mm; roughness of the force (law hc) over that of the same tissue compressed by prescribed vertices,"]
+    lines += ["and the same of the triangles that collide in three steps in a row (roughness_same_triangles);"]
     lines += ["roughness of the reaction itself."]
     lines += ["(n): n tool samples passed through; [n]: up to n triangles inverted.", ""]
     lines += ["| scenario | dt [s] | nodes | response | " + " | ".join(f"{v:g} m/s" for v in SPEEDS_M_S) + " |"]

@@ -54,7 +54,10 @@ struct State {
   Vec3 reaction_on_tool_N = Vec3::Zero();
   std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
   std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
-  int colliding_triangles = 0;      ///< with at least one vertex in a colliding state; 0 without force laws
+  /// With at least one vertex in a colliding state: indices over all bodies, ascending; empty without force
+  /// laws. What each gives the tools together: triangle x number of laws + law.
+  std::vector<int> colliding_triangles;
+  std::vector<Vec3> triangle_forces_N;
   StepTiming timing;
 };
 

@@ -58,7 +58,8 @@ TriangleForces::TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws
 void TriangleForces::evaluate(const ContactPatch& patch, State& state) {
   state.forces.assign(laws_.size(), ForceSample{});
   state.tool_forces_N.assign(laws_.size() * tool_count_, Vec3::Zero());
-  state.colliding_triangles = 0;
+  state.colliding_triangles.clear();
+  state.triangle_forces_N.clear();
   for (TriangleDeformation& deformation : deformations_) deformation.update(state);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const Face& face = faces_[i];
@@ -67,15 +68,16 @@ void TriangleForces::evaluate(const ContactPatch& patch, State& state) {
     shareAmongTools(patch, i);
     measure(i, state);
     for (std::size_t law = 0; law < laws_.size(); ++law) addForce(law, i, state);
-    ++state.colliding_triangles;
+    state.colliding_triangles.push_back(static_cast<int>(i));
   }
   for (std::size_t law = 0; law < laws_.size(); ++law) {
     ForceSample& sample = state.forces[law];
     for (std::size_t tool = 0; tool < tool_count_; ++tool)
       sample.force_on_tool_N += state.tool_forces_N[law * tool_count_ + tool];
-    if (state.colliding_triangles == 0) continue;
-    sample.deformation_mean_m /= state.colliding_triangles;
-    sample.rate_mean_m_s /= state.colliding_triangles;
+    if (state.colliding_triangles.empty()) continue;
+    const auto triangles = static_cast<double>(state.colliding_triangles.size());
+    sample.deformation_mean_m /= triangles;
+    sample.rate_mean_m_s /= triangles;
   }
 }
 
@@ -125,10 +127,13 @@ void TriangleForces::addForce(std::size_t law, std::size_t triangle, State& stat
   sum.elastic_N += area * force.elastic_N;
   sum.viscous_N += area * force.viscous_N;
   sum.adhesion_clamped += force.adhesion_clamped ? 1 : 0;
-  addStatistics(measured.deformation_m, rate_m_s, state.colliding_triangles == 0, sum);
-  for (const Share& share : shares_)
-    state.tool_forces_N[law * tool_count_ + share.tool] -=
-        area * (force.elastic_N + force.viscous_N) * share.part * share.direction;
+  addStatistics(measured.deformation_m, rate_m_s, state.colliding_triangles.empty(), sum);
+  Vec3& of_triangle_N = state.triangle_forces_N.emplace_back(Vec3::Zero());
+  for (const Share& share : shares_) {
+    const Vec3 on_tissue_N = area * (force.elastic_N + force.viscous_N) * share.part * share.direction;
+    state.tool_forces_N[law * tool_count_ + share.tool] -= on_tissue_N;
+    of_triangle_N -= on_tissue_N;
+  }
 }
 
 long long TriangleForces::rigidFits() const {

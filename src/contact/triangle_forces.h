@@ -29,8 +29,8 @@ class TriangleForces {
  public:
   TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws, double step_s);
 
-  /// Once a step: fills state.forces, one entry a law, tool_forces_N and colliding_triangles: forces ON THE
-  /// TOOLS, newtons.
+  /// Once a step: fills state.forces, one entry a law, tool_forces_N, colliding_triangles and
+  /// triangle_forces_N: forces ON THE TOOLS, newtons.
   void evaluate(const ContactPatch& patch, State& state);
 
   /// Best fits of a rigid motion made so far: none unless a law is corotated, else one a body and step.

@@ -38,7 +38,8 @@ constexpr std::array<Term, 8> terms = {{
 
 }  // namespace
 
-ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene) {
+ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene)
+    : same_triangles_(scenario.force.size()) {
   for (const ForceSettings& law : scenario.force) laws_.push_back({.name = law.name});
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
   limits_N_.resize(tools_.size());
@@ -101,7 +102,8 @@ void ForceProbe::sample(const State& state, RecordRow& row) {
     if (!finite && !laws_[i].non_finite_at_step) laws_[i].non_finite_at_step = state.step;
     if (!tools_.empty()) sampleTools(state, i, row);
   }
-  row[triangles_column_] = state.colliding_triangles;
+  same_triangles_.add(state);
+  row[triangles_column_] = static_cast<double>(state.colliding_triangles.size());
   sampled_ = true;
 }
 
@@ -121,15 +123,18 @@ void ForceProbe::sampleTools(const State& state, std::size_t law, RecordRow& row
 }
 
 void ForceProbe::summarize(Summary& summary) const {
-  const auto add = [&](const Law& law, const std::string& name) {
+  const auto add = [&](std::size_t index, const std::string& name) {
+    const Law& law = laws_[index];
     summary.push_back({"max_force" + name + "_N", law.max_N.value()});
     summary.push_back({"force_roughness" + name, law.roughness.value()});
+    summary.push_back({"roughness_same_triangles" + name, same_triangles_.value(index)});
     if (!limits_N_.empty())
       summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
   };
-  add(laws_.front(), "");
-  for (const Law& law : laws_) {
-    add(law, "_" + law.name);
+  add(0, "");
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const Law& law = laws_[i];
+    add(i, "_" + law.name);
     if (law.non_finite_at_step)
       summary.push_back({"force_non_finite_at_step_" + law.name, *law.non_finite_at_step});
   }

@@ -4,6 +4,7 @@
 
 #include "base/probe.h"
 #include "base/scene.h"
+#include "measure/same_triangles_roughness.h"
 #include "measure/statistics.h"
 #include "scenario/scenario.h"
 
@@ -12,9 +13,10 @@ namespace fissure {
 /// Series force(law, xyz) on the tools, its terms force_elastic(law), force_viscous(law),
 /// adhesion_clamped(law) and, of the triangles in a colliding state (colliding_triangles), largest and mean
 /// deformation(law) and its rate(law); tool_force(law, tool, xyz); where a tool has a force limit
-/// saturated(law, tool), the force itself stays as it is. Scalars: the largest magnitude, the roughness and,
-/// with a limit, the steps in which a tool was saturated, of every law; those of the first law under their
-/// short names too. force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed.
+/// saturated(law, tool), the force itself stays as it is. Scalars: the largest magnitude, the roughness, that
+/// of the triangles that stay (roughness_same_triangles) and, with a limit, the steps in which a tool was
+/// saturated, of every law; those of the first law under their short names too.
+/// force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed.
 class ForceProbe : public Probe {
  public:
   /// Laws and limits from `scenario`, which has at least one law; State::forces is in their order.
@@ -36,6 +38,7 @@ class ForceProbe : public Probe {
   void sampleTools(const State& state, std::size_t law, RecordRow& row);
 
   std::vector<Law> laws_;
+  SameTrianglesRoughness same_triangles_;
   std::vector<std::string> tools_;
   std::vector<std::optional<double>> limits_N_;  ///< one a tool; empty: no tool has one
   bool sampled_ = false;

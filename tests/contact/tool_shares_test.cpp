@@ -1,6 +1,7 @@
 // Several tools on one body: which of them feels a triangle's force (METHOD: force).
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numeric>
 
 #include "contact/grid_nodes.h"
@@ -51,10 +52,26 @@ TEST_F(ToolShares, EachTriangleGoesToTheToolsOnItInProportionToTheirDisplacement
   touch(0, 0, -Vec3::UnitY(), 0.003);
   touch(1, 0, -Vec3::UnitY(), 0.001);
   evaluate();
-  const double all_N = kStiffness * 0.005 * state.colliding_triangles;
+  const double all_N = kStiffness * 0.005 * static_cast<double>(state.colliding_triangles.size());
   expectNear(force(0, 0), Vec3(0, 0.75 * all_N, 0));
   expectNear(force(0, 1), Vec3(0, 0.25 * all_N, 0));
   expectNear(force(1, 1), Vec3(0, 0.75 * all_N, 0));
+}
+
+TEST_F(ToolShares, TrianglesSumUpToTheToolsForces) {
+  touch(0, 0, -Vec3::UnitY(), 0.003);
+  touch(1, 4, Vec3::UnitX(), 0.001);
+  evaluate();
+  ASSERT_FALSE(state.colliding_triangles.empty());
+  EXPECT_TRUE(std::is_sorted(state.colliding_triangles.begin(), state.colliding_triangles.end()));
+  ASSERT_EQ(state.triangle_forces_N.size(), 2 * state.colliding_triangles.size());
+  for (std::size_t law = 0; law < 2; ++law) {
+    Vec3 sum_N = Vec3::Zero();
+    for (std::size_t i = 0; i < state.colliding_triangles.size(); ++i)
+      sum_N += state.triangle_forces_N[2 * i + law];
+    EXPECT_GT(sum_N.norm(), 0.1);
+    expectNear(sum_N, force(law, 0) + force(law, 1));
+  }
 }
 
 TEST_F(ToolShares, ATriangleWithoutOneOfItsOwnGoesByItsVertices) {

@@ -165,6 +165,20 @@ TEST(Simulation, TheSameRunTwiceIsTheSameBitForBit) {
   }
 }
 
+TEST(Simulation, ForcesOfTrianglesAreKeptForLawsOnly) {
+  for (const bool laws : {false, true}) {
+    Scenario scenario = press();
+    if (!laws) scenario.force.clear();
+    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+    for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+    const State& state = simulation->state();
+    EXPECT_GT(state.contact_count, 0);
+    EXPECT_EQ(state.colliding_triangles.capacity() > 0, laws);
+    EXPECT_EQ(state.triangle_forces_N.capacity() > 0, laws);
+  }
+}
+
 // The settings must reach Bullet: stock and tuned differ as soon as the tool touches.
 TEST(Simulation, StockAndTunedDiffer) {
   const State stock = Press("default", "stock").run(60);

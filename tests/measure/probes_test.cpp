@@ -260,6 +260,7 @@ TEST_F(ProbesTest, ForceOfEachLaw) {
   EXPECT_DOUBLE_EQ(real("force_roughness"), 2 / std::sqrt(2.5));
   EXPECT_DOUBLE_EQ(real("force_roughness_hc"), 2 / std::sqrt(2.5));
   EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
+  EXPECT_EQ(real("roughness_same_triangles_hc"), 0) << "no triangle is there";
 }
 
 // Components whose magnitude is beyond what a double holds, and terms that are no number.
@@ -280,7 +281,8 @@ TEST_F(ProbesTest, TheFirstStepWithAForceThatIsNotFiniteIsNamedByLaw) {
 TEST_F(ProbesTest, DeformationStatisticsOfEachLaw) {
   addLaws({"hc", "linear"});
   start();
-  state_.colliding_triangles = 17;
+  state_.colliding_triangles.resize(17);
+  state_.triangle_forces_N.resize(34);
   state_.forces[1] = {.deformation_max_m = 0.5,
                       .deformation_mean_m = 0.25,
                       .rate_max_m_s = 3,
