@@ -48,6 +48,10 @@ std::string columnName(const StoredQuantity& quantity, std::size_t column) {
   return text;
 }
 
+double allowedDifference(const QuantityComparison& made) {
+  return made.tolerance.absolute + made.tolerance.relative * made.difference.largest_b;
+}
+
 /// Compares the series of two runs.
 class SeriesComparer {
  public:
@@ -189,6 +193,7 @@ void SeriesComparer::compareValues(const StoredQuantity& a, const StoredQuantity
     meter.add(rowsOfA(a, std::span(rows).subspan(first, count)), b_.rows(b, first, count));
   }
   made.difference = meter.result();
+  if (const auto row = meter.firstRowBeyond(allowedDifference(made))) made.beyond_at = rowName(b, *row);
 }
 
 void addProblem(std::string& problems, const std::string& problem) {
@@ -209,8 +214,6 @@ QuantityComparison SeriesComparer::compare(const StoredQuantity& a, const Stored
   if (difference.worst) made.worst_at = placeName(*b, *difference.worst);
   if (difference.first) made.first_at = placeName(*b, *difference.first);
   if (made.problem.empty()) lookForShift(a, *b, made);
-  const double allowed = made.tolerance.absolute + made.tolerance.relative * difference.largest_b;
-  if (const auto row = firstRowBeyond(difference, allowed)) made.beyond_at = rowName(*b, *row);
   return made;
 }
 
@@ -267,7 +270,7 @@ bool agree(const QuantityComparison& made, bool exact) {
   if (made.tolerance.ignore) return true;
   if (!made.problem.empty() || made.text_a != made.text_b) return false;
   const Difference& difference = made.difference;
-  const double allowed = made.tolerance.absolute + made.tolerance.relative * difference.largest_b;
+  const double allowed = allowedDifference(made);
   const auto within = [&](double distance) { return std::isfinite(distance) && distance <= allowed; };
   if (within(difference.largest)) return true;
   return made.tolerance.time_shift_s > 0 && made.shift && within(made.shift->remaining);
@@ -300,7 +303,7 @@ bool mayBeMissing(const std::string& quantity) {
       "summary/first_contact_time_s",  // no contact
       "summary/force_roughness*",      // no force
       "summary/roughness_same_triangles*",
-      "summary/node_switch_rate_hz",   // no time
+      "summary/node_switch_rate_hz",  // no time
   };
   return std::any_of(patterns.begin(), patterns.end(),
                      [&](const char* pattern) { return fitsPattern(quantity, pattern); });

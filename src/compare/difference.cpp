@@ -77,18 +77,17 @@ void DifferenceMeter::add(std::span<const double> a, std::span<const double> b) 
   if (columns_ == 0) return;
   for (std::size_t i = 0; i < a.size(); i += columns_) {
     double of_row = 0;
-    const std::size_t row = result_.of_row.size();
     for (std::size_t column = 0; column < columns_; ++column)
-      compare(a[i + column], b[i + column], {row, column}, of_row);
-    result_.of_row.push_back(of_row);
+      compare(a[i + column], b[i + column], {result_.rows, column}, of_row);
+    of_row_.push_back(of_row);
+    ++result_.rows;
   }
 }
 
-std::optional<std::size_t> firstRowBeyond(const Difference& difference, double allowed) {
-  const auto& rows = difference.of_row;
-  const auto found = std::find_if(rows.begin(), rows.end(), [&](double row) { return row > allowed; });
-  if (found == rows.end()) return std::nullopt;
-  return static_cast<std::size_t>(found - rows.begin());
+std::optional<std::size_t> DifferenceMeter::firstRowBeyond(double allowed) const {
+  const auto found = std::find_if(of_row_.begin(), of_row_.end(), [&](double row) { return row > allowed; });
+  if (found == of_row_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - of_row_.begin());
 }
 
 TimeShift bestShift(std::span<const double> a, std::span<const double> b,

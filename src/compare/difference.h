@@ -21,9 +21,9 @@ struct Difference {
   std::optional<Place> worst;  ///< of it; no value when no number differs
   std::optional<Place> first;  ///< the first value that differs, NaN too
   std::size_t count = 0;       ///< values that differ
+  std::size_t rows = 0;        ///< compared
   double largest_a = 0;        ///< max |A|
   double largest_b = 0;        ///< max |B|
-  std::vector<double> of_row;  ///< max |A - B| of each row, infinite with a NaN
   std::optional<Place> nan_a;  ///< first NaN of A that is not allowed: any, or one that only A has
   std::optional<Place> nan_b;
 };
@@ -43,6 +43,8 @@ class DifferenceMeter {
   /// The next rows of both, of equal number.
   void add(std::span<const double> a, std::span<const double> b);
   const Difference& result() const { return result_; }
+  /// The first row whose difference is beyond `allowed`, as one with a NaN is; no value when there is none.
+  std::optional<std::size_t> firstRowBeyond(double allowed) const;
 
  private:
   void compare(double a, double b, const Place& place, double& of_row);
@@ -50,10 +52,8 @@ class DifferenceMeter {
   std::size_t columns_;
   DifferenceRules rules_;
   Difference result_;
+  std::vector<double> of_row_;  ///< max |A - B|
 };
-
-/// The first row whose difference is beyond `allowed`; no value when there is none.
-std::optional<std::size_t> firstRowBeyond(const Difference& difference, double allowed);
 
 /// A shifted in time against B.
 struct TimeShift {

@@ -28,7 +28,7 @@ Json quantityJson(const QuantityComparison& made) {
                {"problem", made.problem}};
   if (made.text_a != made.text_b) json.update({{"text_a", made.text_a}, {"text_b", made.text_b}});
   if (made.scalar_a) json.update({{"value_a", *made.scalar_a}, {"value_b", *made.scalar_b}});
-  if (difference.of_row.empty()) return json;
+  if (difference.rows == 0) return json;
   json.update({{"largest_a", difference.largest_a},
                {"largest_b", difference.largest_b},
                {"largest_difference", difference.largest},

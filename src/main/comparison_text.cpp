@@ -33,6 +33,13 @@ std::string shiftText(const QuantityComparison& made) {
   return withUnit(std::abs(made.shift_s), "s") + when + withUnit(made.shift->remaining, made.units);
 }
 
+/// Since when the runs differ, by more than they may.
+std::string firstAt(const QuantityComparison& made) {
+  const bool tolerated = made.tolerance.absolute > 0 || made.tolerance.relative > 0;
+  const std::string& at = tolerated ? made.beyond_at : made.first_at;
+  return at.empty() ? "-" : at;
+}
+
 TextRow numbersRow(const QuantityComparison& made) {
   const Difference& difference = made.difference;
   return {made.quantity,
@@ -42,7 +49,7 @@ TextRow numbersRow(const QuantityComparison& made) {
           made.equal() || difference.worst ? withUnit(difference.largest, made.units) : "-",
           relative(difference),
           made.worst_at.empty() ? "-" : made.worst_at,
-          made.first_at.empty() ? "-" : made.first_at,
+          firstAt(made),
           shiftText(made)};
 }
 
@@ -94,7 +101,7 @@ std::string runText(const RunComparison& run, bool all) {
                                 "largest difference at", "first difference at", "A in time"},
                                {"", "", "in A", "in B", "difference", "", "", "", ""}};
   for (const QuantityComparison& made : run.quantities) {
-    const bool numbers = made.scalar_a || !made.difference.of_row.empty();
+    const bool numbers = made.scalar_a || made.difference.rows > 0;
     if (numbers && (all || !made.agrees)) rows.push_back(numbersRow(made));
   }
   return title("A", run.a) + title("B", run.b) + (rows.size() > 2 ? alignedText(rows, 2) : "") +

@@ -30,11 +30,11 @@ Json resultJson(const std::filesystem::path& file, const ResultInfo& info) {
   for (const DatasetInfo& dataset : info.datasets)
     datasets.push_back(
         {{"path", dataset.path}, {"type", dataset.type}, {"shape", dataset.shape}, {"units", dataset.units}});
-  return {{"file", file.string()},     {"title", info.title},
-          {"format", info.format},     {"format_version", info.format_version},
-          {"complete", info.complete}, {"salvaged", info.salvaged},
-          {"provenance", provenance},  {"pipelines", pipelines},
-          {"datasets", datasets}};
+  return {{"file", file.string()},       {"title", info.title},
+          {"format", info.format},       {"format_version", info.format_version},
+          {"complete", info.complete},   {"salvaged", info.salvaged},
+          {"reference", info.reference}, {"provenance", provenance},
+          {"pipelines", pipelines},      {"datasets", datasets}};
 }
 
 std::string jsonText(const Json& json) {

@@ -26,6 +26,7 @@ std::string shapeText(const std::vector<unsigned long long>& shape) {
 void printText(const ResultInfo& info) {
   std::cout << info.title << "\n"
             << info.format << ", version " << info.format_version << (info.complete ? "" : ", not complete")
+            << (info.reference ? ", a reference: a few rows of each series" : "")
             << (info.salvaged ? ", salvaged from a run that did not finish" : "") << "\n\n"
             << resultTable(info.pipelines) << "\nprovenance\n";
   for (const auto& [name, value] : info.provenance)

@@ -85,7 +85,7 @@ TEST_F(CompareRuns, ARunEqualsItselfAndItsRepetition) {
     const RunComparison comparison = compare(a, b, {.exact = exact});
     EXPECT_TRUE(comparison.agrees());
     EXPECT_GT(comparison.quantities.size(), 20u);
-    EXPECT_EQ(find(comparison, "positions").difference.of_row.size(), kRows);
+    EXPECT_EQ(find(comparison, "positions").difference.rows, kRows);
   }
 }
 
@@ -203,7 +203,7 @@ TEST_F(CompareRuns, AReferenceIsComparedAtItsOwnTimes) {
   EXPECT_TRUE(readResultInfo(reference).reference);
   const RunComparison same = compare(result, reference, {.exact = true});
   EXPECT_TRUE(same.agrees());
-  EXPECT_LE(find(same, "force").difference.of_row.size(), ReferenceSize().steps);
+  EXPECT_LE(find(same, "force").difference.rows, ReferenceSize().steps);
   // The last row is there.
   const auto end = write("end", changedRow("force", kRows - 1, 0.0));
   EXPECT_EQ(differing(compare(end, reference)), Names{"force"});
@@ -223,7 +223,7 @@ TEST_F(CompareRuns, AReferenceOfAFewStepsKeepsAll) {
   writeReference(folder_ / "reference.h5", result);
   const RunComparison same = compare(result, folder_ / "reference.h5");
   EXPECT_TRUE(same.agrees());
-  EXPECT_EQ(find(same, "force").difference.of_row.size(), 3u);
+  EXPECT_EQ(find(same, "force").difference.rows, 3u);
 }
 
 TEST_F(CompareRuns, ADamagedFileIsAnInputError) {
