@@ -18,8 +18,4 @@ struct SeriesData {
 /// damaged or text.
 SeriesData readSeries(const std::filesystem::path& file, const std::string& dataset);
 
-/// Reads one text dataset: the names along an axis ("/pipelines/fukuhara/law"), or the single text of a
-/// scenario. Throws InputError as readSeries does, and when the dataset holds numbers.
-std::vector<std::string> readLabels(const std::filesystem::path& file, const std::string& dataset);
-
 }  // namespace fissure

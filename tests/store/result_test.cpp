@@ -173,7 +173,7 @@ TEST(Result, ReplacesWholeFilesAndLeavesNoOthers) {
   EXPECT_THROW(assembleResult(folder / "nowhere" / "x.h5", loadedSample(run), kProvenance, parts), RunError);
 }
 
-TEST(ReadSeries, GivesValuesShapeAndLabels) {
+TEST(ReadSeries, GivesValuesAndShape) {
   const TemporaryFolder folder;
   const SampleRun run = makeSampleRun(3, false);
   const auto path = folder / "default.part";
@@ -185,9 +185,7 @@ TEST(ReadSeries, GivesValuesShapeAndLabels) {
   EXPECT_TRUE(std::isnan(depth.values[1]));
   EXPECT_EQ(depth.values[2], 0.002);
   EXPECT_EQ(readSeries(path, "/pipelines/default/saturated").values, (std::vector<double>{0, 1, 1, 0, 0, 1}));
-  EXPECT_EQ(readLabels(path, "/pipelines/default/law"), (std::vector<std::string>{"hc", "linear"}));
   EXPECT_THROW(readSeries(path, "/pipelines/default/law"), InputError);
-  EXPECT_THROW(readLabels(path, "/pipelines/default/force"), InputError);
   EXPECT_THROW(readSeries(path, "/pipelines/other/force"), InputError);
   EXPECT_THROW(readSeries(path, "/pipelines/default"), InputError);
   EXPECT_THROW(readSeries(folder / "none.h5", "/time"), InputError);
