@@ -2,9 +2,9 @@
 
 #include <benchmark/benchmark.h>
 
-#include <chrono>
 #include <functional>
 #include <string>
+#include <utility>
 
 #include "scenario/load.h"
 
@@ -12,27 +12,24 @@ namespace fissure::bench {
 
 void addStepCases();
 void addContactCases();
+void addRecordCases();
 void addOutputCases();
 
-/// Registers a benchmark in microseconds. Anything it throws becomes its error, and the others go on.
-inline benchmark::internal::Benchmark* addCase(const std::string& name,
-                                               const std::function<void(benchmark::State&)>& body) {
+/// Registers a benchmark in microseconds. `body` makes one batch of calls, from a state of its own, and gives
+/// what one call took in seconds; it may add counters. Anything it throws becomes the benchmark's error, and
+/// the others go on.
+inline void addCase(const std::string& name, const std::function<double(benchmark::State&)>& body) {
   const auto guarded = [body](benchmark::State& state) {
     try {
-      body(state);
+      for (auto _ : state) state.SetIterationTime(body(state));
     } catch (const std::exception& error) {
       state.SkipWithError(error.what());
     }
   };
-  return benchmark::RegisterBenchmark(name.c_str(), guarded)->Unit(benchmark::kMicrosecond);
-}
-
-/// Wall time of `work`, seconds.
-template <class Work>
-double secondsOf(Work&& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  benchmark::RegisterBenchmark(name.c_str(), guarded)
+      ->Unit(benchmark::kMicrosecond)
+      ->UseManualTime()
+      ->Iterations(1);
 }
 
 /// A scenario of configs/ by its name.

@@ -1,5 +1,8 @@
 // Detection, and measurement, on the sphere and the spatula of spatula_press, without an engine: tissue goes
 // where contact puts it, and stays there.
+#include <map>
+
+#include "batch.h"
 #include "cases.h"
 #include "contact/node_contact.h"
 #include "measure/penetration.h"
@@ -12,6 +15,7 @@ namespace {
 constexpr double kOutside_m = -0.005;  ///< depths of the spatula's lower face below the sphere's top at rest
 constexpr double kPressed_m = 0.008;
 constexpr double kStep_m = 0.0001;
+constexpr int kCalls = 25;  ///< timed ones in a batch
 
 Scenario scenarioWith(int subdivisions, int nodes) {
   const std::string side = std::to_string(nodes);
@@ -24,7 +28,10 @@ Scenario scenarioWith(int subdivisions, int nodes) {
 struct PressedSphere {
   Scenario scenario;
   Scene scene = buildScene(scenario, true);
-  NodeContact contact{scene, {.margins_m = {scenario.bodies[0].margin_m}}};
+  NodeContact contact{scene,
+                      {.vertex_contacts = true,
+                       .response = ContactResponse::momentum,
+                       .margins_m = {scenario.bodies[0].margin_m}}};
   std::vector<double> inverse_masses =
       std::vector<double>(scene.vertexCount(), scene.vertexCount() / scenario.bodies[0].mass_kg);
   std::vector<ToolState> tools_before;
@@ -53,22 +60,36 @@ struct PressedSphere {
   }
 };
 
-void detect(benchmark::State& state, int subdivisions, int nodes) {
-  PressedSphere pressed(scenarioWith(subdivisions, nodes));
-  pressed.press(-0.001, kPressed_m);
-  pressed.moveTool(kPressed_m + kStep_m);
-  PressedSphere stepped = pressed;
-  for (auto _ : state) {
-    stepped = pressed;
-    state.SetIterationTime(secondsOf([&] { stepped.detect(); }));
-  }
-  state.counters["contacts"] = stepped.state.contact_count;
-  state.counters["rays"] = static_cast<double>(stepped.contact.rays() - pressed.contact.rays());
-  state.counters["ray_triangle_tests"] =
-      static_cast<double>(stepped.contact.rayTests() - pressed.contact.rayTests());
+/// What a detector counts over its steps, by the names of Simulation::counters().
+std::map<std::string, long long> countsOf(const PressedSphere& pressed) {
+  return {{"rays", pressed.contact.rays()},
+          {"ray_triangle_tests", pressed.contact.rayTests()},
+          {"displacement_sweeps", pressed.contact.displacementCounts().sweeps},
+          {"displacement_pushes", pressed.contact.displacementCounts().pushes}};
 }
 
-void measure(benchmark::State& state, int subdivisions, const std::string& where) {
+double detect(benchmark::State& out, int subdivisions, int nodes) {
+  PressedSphere saved(scenarioWith(subdivisions, nodes));
+  saved.press(-0.001, kPressed_m);
+  saved.moveTool(kPressed_m + kStep_m);
+  PressedSphere stepped = saved;
+  stepped.detect();  // its arrays have their size from here on
+  const State first = stepped.state;
+  Batch calls;
+  for (int i = 0; i < kCalls; ++i) {
+    stepped = saved;
+    calls.time([&] { stepped.detect(); });
+    if (stepped.state.positions_m != first.positions_m) throw std::logic_error("two calls differ");
+  }
+  const auto before = countsOf(saved);
+  for (const auto& [name, count] : countsOf(stepped))
+    out.counters[name] = static_cast<double>(count - before.at(name));
+  out.counters["contacts"] = stepped.state.contact_count;
+  out.counters["allocations"] = calls.allocationCount() / kCalls;
+  return calls.median_s();
+}
+
+double measure(benchmark::State& out, int subdivisions, const std::string& where) {
   PressedSphere sphere(scenarioWith(subdivisions, 32));
   const double depth_m = where == "outside" ? kOutside_m : kPressed_m;
   if (where == "touching") sphere.press(-0.001, depth_m);
@@ -78,38 +99,36 @@ void measure(benchmark::State& state, int subdivisions, const std::string& where
   if (where == "touching") sphere.detect();
 
   PenetrationMeter meter(sphere.scene, sphere.scenario.measure);
-  Penetration found;
-  for (auto _ : state) {
+  Penetration found = meter.measure(sphere.state);
+  Batch calls;
+  for (int i = 0; i < kCalls; ++i) {
     meter.measure(before);
-    state.SetIterationTime(secondsOf([&] { found = meter.measure(sphere.state); }));
+    calls.time([&] { found = meter.measure(sphere.state); });
   }
   if ((found.depth_m > 0) != (where == "deep")) throw std::logic_error("not a state that is " + where);
-  state.counters["samples"] = static_cast<double>(meter.sampleCount());
+  out.counters["samples"] = static_cast<double>(meter.sampleCount());
+  out.counters["allocations"] = calls.allocationCount() / kCalls;
+  return calls.median_s();
 }
 
 std::string trianglesOf(int subdivisions) {
   return std::to_string(8 << 2 * subdivisions);
 }
 
-void addDetectCase(int subdivisions, int nodes) {
-  const std::string side = std::to_string(nodes);
-  addCase("detect/" + trianglesOf(subdivisions) + "/" + side + "x" + side, [=](benchmark::State& state) {
-    detect(state, subdivisions, nodes);
-  })->UseManualTime();
-}
-
-void addMeasureCase(int subdivisions, const std::string& where) {
-  addCase("measure/" + trianglesOf(subdivisions) + "/" + where, [=](benchmark::State& state) {
-    measure(state, subdivisions, where);
-  })->UseManualTime();
-}
-
 }  // namespace
 
 void addContactCases() {
   for (const int subdivisions : {2, 3, 4, 5}) {
-    for (const int nodes : {4, 8, 16, 32}) addDetectCase(subdivisions, nodes);
-    for (const char* where : {"outside", "touching", "deep"}) addMeasureCase(subdivisions, where);
+    const std::string triangles = trianglesOf(subdivisions);
+    for (const int nodes : {4, 8, 16, 32}) {
+      const std::string side = std::to_string(nodes);
+      addCase("detect/" + triangles + "/" + side + "x" + side,
+              [=](benchmark::State& out) { return detect(out, subdivisions, nodes); });
+    }
+    for (const std::string where : {"outside", "touching", "deep"}) {
+      addCase("measure/" + triangles + "/" + where,
+              [=](benchmark::State& out) { return measure(out, subdivisions, where); });
+    }
   }
 }
 

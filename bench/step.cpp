@@ -1,9 +1,9 @@
-#include <algorithm>
+// A simulated step, with nothing looking on.
 #include <cmath>
 #include <map>
-#include <utility>
 #include <variant>
 
+#include "batch.h"
 #include "cases.h"
 #include "engine/simulation.h"
 #include "motion/motion.h"
@@ -20,20 +20,28 @@ int stepsBeforeContact(const std::string& scenario) {
   return scenario == "plate_press" ? 33 : 54;
 }
 
-struct Batch {
-  std::map<std::string, double> counts;  ///< mean of a step
-  double step_s = 0;                     ///< median
-  double collision_s = 0;                ///< median
-};
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+/// Totals of a simulation, which grow with its steps.
+std::map<std::string, double> countsOf(const Simulation& simulation) {
+  std::map<std::string, double> counts;
+  for (const SummaryValue& counter : simulation.counters())
+    counts[counter.name] = static_cast<double>(std::get<long long>(counter.value));
+  return counts;
 }
 
-/// A new simulation, stepped as a Run does it with nothing looking on.
-Batch runBatch(const Scenario& scenario, const PipelineSettings& pipeline) {
+/// Median time of each stage of a step, from totals before the first step and after each.
+std::map<std::string, double> stagesOf(const std::vector<std::vector<StageTime>>& totals) {
+  std::map<std::string, double> stages_s;
+  for (std::size_t s = 0; s < totals.front().size(); ++s) {
+    std::vector<double> times_s;
+    for (std::size_t i = 1; i < totals.size(); ++i)
+      times_s.push_back(totals[i][s].total_s - totals[i - 1][s].total_s);
+    stages_s[totals.front()[s].name] = median(times_s);
+  }
+  return stages_s;
+}
+
+/// The median of kSteps steps of a new simulation, stepped as a Run does it.
+double measureSteps(benchmark::State& out, const Scenario& scenario, const PipelineSettings& pipeline) {
   const Scene scene = buildScene(scenario, pipeline.usesNodes());
   std::vector<std::unique_ptr<Motion>> motions;
   for (const ToolSettings& tool : scenario.tools) motions.push_back(makeMotion(tool, scenario.directory));
@@ -51,39 +59,22 @@ Batch runBatch(const Scenario& scenario, const PipelineSettings& pipeline) {
   for (int step = 1; step < first; ++step) simulation->step(poses_at(step));
   if (state.contact_count != 0) throw std::logic_error("contact before the first measured step");
 
-  Batch batch;
-  const auto count = [&](double sign) {
-    for (const SummaryValue& counter : simulation->counters()) {
-      batch.counts[counter.name] += sign * static_cast<double>(std::get<long long>(counter.value)) / kSteps;
-    }
-  };
-  count(-1);
-  std::vector<double> steps_s, collisions_s;
+  const auto counts_before = countsOf(*simulation);
+  double contacts = 0;
+  Batch steps;
+  std::vector<std::vector<StageTime>> stages = {simulation->stageTimes()};
   for (int step = first; step < first + kSteps; ++step) {
     const std::vector<Pose> poses = poses_at(step);
-    steps_s.push_back(secondsOf([&] { simulation->step(poses); }));
-    collisions_s.push_back(1e-6 * state.timing.collision_us);
-    batch.counts["contacts"] += static_cast<double>(state.contact_count) / kSteps;
+    steps.time([&] { simulation->step(poses); });
+    stages.push_back(simulation->stageTimes());
+    contacts += state.contact_count;
   }
-  count(+1);
-  batch.step_s = median(steps_s);
-  batch.collision_s = median(collisions_s);
-  return batch;
-}
-
-void measureSteps(benchmark::State& state, const Scenario& scenario, const PipelineSettings& pipeline) {
-  Batch batch;
-  double collision_share = 0;
-  for (auto _ : state) {
-    const auto counts_before = std::exchange(batch, runBatch(scenario, pipeline)).counts;
-    if (!counts_before.empty() && counts_before != batch.counts) {
-      throw std::logic_error("two batches met different contacts");
-    }
-    state.SetIterationTime(batch.step_s);
-    collision_share += batch.collision_s / batch.step_s;
-  }
-  for (const auto& [name, value] : batch.counts) state.counters[name] = value;
-  state.counters["collision_share"] = {collision_share, benchmark::Counter::kAvgIterations};
+  for (const auto& [name, count] : countsOf(*simulation))
+    out.counters[name] = (count - counts_before.at(name)) / kSteps;
+  for (const auto& [name, stage_s] : stagesOf(stages)) out.counters[name + "_us"] = 1e6 * stage_s;
+  out.counters["contacts"] = contacts / kSteps;
+  out.counters["allocations"] = steps.allocationCount() / kSteps;
+  return steps.median_s();
 }
 
 }  // namespace
@@ -93,9 +84,7 @@ void addStepCases() {
     const Scenario scenario = configuredScenario(name);
     for (const PipelineSettings& pipeline : scenario.pipelines) {
       addCase("step/" + name + "/" + pipeline.name,
-              [=](benchmark::State& state) { measureSteps(state, scenario, pipeline); })
-          ->UseManualTime()
-          ->Iterations(3);
+              [=](benchmark::State& out) { return measureSteps(out, scenario, pipeline); });
     }
   }
 }

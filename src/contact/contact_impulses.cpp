@@ -64,6 +64,7 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
 void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses, std::span<Vec3> positions_m) {
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    counts_.sweeps += constraints.empty() ? 0 : 1;
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& contact = constraints[i];
       Push& push = pushes_[i];
@@ -71,6 +72,7 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
       const double short_by_m =
           contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
       const double change_kg_m = std::max(short_by_m / push.mobility, -push.kg_m);
+      counts_.pushes += change_kg_m != 0 ? 1 : 0;
       push.kg_m += change_kg_m;
       move(contact, change_kg_m, inverse_masses, positions_m);
     }
@@ -82,6 +84,7 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
 void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constraints,
                                        std::span<const double> inverse_masses) {
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    counts_.sweeps += constraints.empty() ? 0 : 1;
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& contact = constraints[i];
       Push& push = pushes_[i];
@@ -90,6 +93,7 @@ void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constr
           (pointOf(contact, way_m_) + pointOf(contact, motion_m_)).dot(contact.normal) - push.tool_way_m;
       const double removed_m =
           std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
+      counts_.pushes += removed_m != 0 ? 1 : 0;
       push.old_overlap_m -= removed_m;
       push.kg_m -= removed_m / push.mobility;
       move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);

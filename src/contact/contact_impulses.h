@@ -5,6 +5,7 @@
 
 #include "base/state.h"
 #include "contact/candidate.h"
+#include "contact/displacement_counts.h"
 
 namespace fissure {
 
@@ -30,6 +31,8 @@ class ContactImpulses {
   /// first vertex.
   Vec3 total(std::span<const double> factors) const;
 
+  const DisplacementCounts& counts() const { return counts_; }
+
  private:
   struct Push {
     int vertex = 0;            ///< the first of its triangle
@@ -47,6 +50,7 @@ class ContactImpulses {
                         std::span<const double> inverse_masses);
 
   int sweeps_;
+  DisplacementCounts counts_;
   std::vector<Push> pushes_;  ///< one a constraint
   std::vector<Vec3> normals_;
   std::vector<Vec3> start_m_;  ///< positions before the contacts

@@ -16,6 +16,7 @@ void EnforcedDisplacement::apply(std::span<const ContactConstraint> constraints,
     }
   }
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
+    counts_.sweeps += constraints.empty() ? 0 : 1;
     for (const ContactConstraint& contact : constraints) {
       double mobility = 0;
       for (int j = 0; j < 3; ++j)
@@ -23,6 +24,7 @@ void EnforcedDisplacement::apply(std::span<const ContactConstraint> constraints,
       const double short_by_m =
           contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
       if (!(short_by_m > 0) || !(mobility > 0)) continue;
+      ++counts_.pushes;
       for (int j = 0; j < 3; ++j) {
         const int vertex = contact.vertices[j];
         positions_m[vertex] +=

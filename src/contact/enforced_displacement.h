@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/candidate.h"
+#include "contact/displacement_counts.h"
 
 namespace fissure {
 
@@ -23,8 +24,11 @@ class EnforcedDisplacement {
   Vec3 movedMass(std::span<const double> inverse_masses, std::span<const Vec3> positions_m,
                  std::span<const double> factors) const;
 
+  const DisplacementCounts& counts() const { return counts_; }
+
  private:
   int sweeps_;
+  DisplacementCounts counts_;
   std::vector<std::uint8_t> is_touched_;
   std::vector<int> touched_;
   std::vector<Vec3> before_m_;  ///< of the touched vertices

@@ -28,27 +28,30 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
 void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
                        const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
                        double dt_s, State& state, ContactPatch& patch) {
-  detect(positions_m, tools_before, tools_now);
+  StageClock clock;
+  detect(positions_m, tools_before, tools_now, clock);
   if (settings_.vertex_contacts) noteToolsPutInside();
-  constraints_.clear();
-  for (NodeCandidate& candidate : candidates_) {
-    if (candidate.state == NodeState::infeasible) continue;
-    limitDisplacement(candidate);
-    constraints_.push_back(candidate.constraint);
-  }
-  node_constraints_ = constraints_.size();
+  collectConstraints();
+  clock.lap(times_.association_s);
   if (vertex_sides_)
     vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
   if (rim_edges_)
     rim_edges_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
+  clock.lap(times_.vertex_contacts_s);
   if (patch.tools.size() > 1) noteDisplacements(positions_m);
   state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
+  clock.lap(times_.displacement_s);
   report(state, patch);
   std::copy(positions_m.begin(), positions_m.end(), before_m_.begin());
+  clock.lap(times_.report_s);
 }
 
 std::span<const Vec3> NodeContact::motion_m() const {
   return impulses_ ? impulses_->motion_m() : std::span<const Vec3>();
+}
+
+const DisplacementCounts& NodeContact::displacementCounts() const {
+  return impulses_ ? impulses_->counts() : displacement_.counts();
 }
 
 Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
@@ -63,12 +66,14 @@ Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> i
 }
 
 void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
-                         const std::vector<ToolState>& tools_now) {
+                         const std::vector<ToolState>& tools_now, StageClock& clock) {
   candidates_.clear();
   for (int body = 0; body < rays_.bodyCount(); ++body) {
     const std::size_t first = candidates_.size();
     rays_.cast(body, positions_m, before_m_, tools_now, tools_before, candidates_);
+    clock.lap(times_.rays_s);
     if (settings_.association) associations_[body].judge(std::span(candidates_).subspan(first));
+    clock.lap(times_.association_s);
   }
 }
 
@@ -83,6 +88,16 @@ void NodeContact::noteToolsPutInside() {
     });
   }
   first_step_ = false;
+}
+
+void NodeContact::collectConstraints() {
+  constraints_.clear();
+  for (NodeCandidate& candidate : candidates_) {
+    if (candidate.state == NodeState::infeasible) continue;
+    limitDisplacement(candidate);
+    constraints_.push_back(candidate.constraint);
+  }
+  node_constraints_ = constraints_.size();
 }
 
 // What node and tissue approached in the step is always undone; overlap beyond that (a tool that starts

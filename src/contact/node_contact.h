@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/scene.h"
+#include "base/stage_times.h"
 #include "base/state.h"
 #include "contact/contact_impulses.h"
 #include "contact/contact_patch.h"
@@ -37,6 +38,15 @@ struct NodeContactSettings {
   std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
 };
 
+/// Wall time of NodeContact's steps so far, seconds.
+struct ContactTimes {
+  double rays_s = 0;             ///< fitting the tree of triangles, casting the nodes' rays
+  double association_s = 0;      ///< feasibility, and the contacts that it leaves
+  double vertex_contacts_s = 0;  ///< of vertices and edges
+  double displacement_s = 0;     ///< of the tissue, with its response
+  double report_s = 0;           ///< states, counts and the patch of contacts
+};
+
 /// The collision method of the paper on plain arrays: node ray casting, feasibility by node association,
 /// enforced displacement with or without momentum (METHOD sections 3 to 5). One object belongs to one run.
 class NodeContact {
@@ -56,10 +66,13 @@ class NodeContact {
 
   long long rays() const { return rays_.rays(); }
   long long rayTests() const { return rays_.tests(); }
+  const DisplacementCounts& displacementCounts() const;
+  const ContactTimes& times() const { return times_; }
 
  private:
   void detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
-              const std::vector<ToolState>& tools_now);
+              const std::vector<ToolState>& tools_now, StageClock& clock);
+  void collectConstraints();
   /// Moves the tissue; the reaction on the tools, newtons: a body's momentum over its own time.
   Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
                const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
@@ -78,6 +91,7 @@ class NodeContact {
   std::optional<ContactImpulses> impulses_;  ///< response momentum
   int node_count_;
   std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
+  ContactTimes times_;
 
   /// One a tool, 1: in the first step it was deeper in tissue than a margin, and its nodes have had contact
   /// ever since: vertices and edges are left to them.

@@ -9,15 +9,21 @@
 namespace fissure {
 
 void StagedSoftBodySolver::predictMotion(btScalar) {
+  StageClock clock;
   btDefaultSoftBodySolver::predictMotion(static_cast<btScalar>(step_s_));
+  clock.lap(predict_s);
 }
 
 void StagedSoftBodySolver::solveConstraints(btScalar step_s) {
+  StageClock clock;
   if (ground_) {
     for (int i = 0; i < m_softBodySet.size(); ++i) ground_->addContacts(*m_softBodySet[i]);
   }
+  clock.lap(solve_s);
   if (before_solve_) before_solve_();
+  clock = {};
   btDefaultSoftBodySolver::solveConstraints(step_s);
+  clock.lap(solve_s);
   if (after_solve_) after_solve_();
 }
 
@@ -26,6 +32,7 @@ void TimedWorld::performDiscreteCollisionDetection() {
   btSoftRigidDynamicsWorld::performDiscreteCollisionDetection();
   if (after_detection_) after_detection_();
   detection_us = std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
+  detection_s += 1e-6 * detection_us;
 }
 
 BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipeline, const Scene& scene,
@@ -65,6 +72,10 @@ BulletWorld::~BulletWorld() {
 void BulletWorld::step() {
   const btScalar step_s = static_cast<btScalar>(step_s_);
   world_->stepSimulation(step_s, 1, step_s);
+}
+
+std::vector<StageTime> BulletWorld::stageTimes() const {
+  return {{"predict", solver_->predict_s}, {"detection", world_->detection_s}, {"solve", solver_->solve_s}};
 }
 
 void BulletWorld::readPositions(std::vector<Vec3>& positions_m) const {

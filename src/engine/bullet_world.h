@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "base/scene.h"
+#include "base/stage_times.h"
 #include "engine/ground.h"
 #include "scenario/scenario.h"
 
@@ -27,6 +28,8 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
   void setAfterSolve(std::function<void()> stage) { after_solve_ = std::move(stage); }
   void predictMotion(btScalar step_s) override;
   void solveConstraints(btScalar step_s) override;
+  double predict_s = 0;  ///< wall time so far
+  double solve_s = 0;    ///< wall time so far, without the stages of ours but the ground's
 
  private:
   double step_s_;
@@ -43,6 +46,7 @@ class TimedWorld : public btSoftRigidDynamicsWorld {
   void performDiscreteCollisionDetection() override;
   void setAfterDetection(std::function<void()> stage) { after_detection_ = std::move(stage); }
   double detection_us = 0;  ///< of the last step
+  double detection_s = 0;   ///< so far
 
  private:
   std::function<void()> after_detection_;
@@ -58,6 +62,8 @@ class BulletWorld {
   ~BulletWorld();
 
   void step();
+  /// Of Bullet's own stages.
+  std::vector<StageTime> stageTimes() const;
 
   TimedWorld& world() { return *world_; }
   StagedSoftBodySolver& solver() { return *solver_; }

@@ -56,16 +56,33 @@ class NodePipeline : public Pipeline {
   }
 
   Summary counters() const override {
-    return {{"rays", contact_.rays()}, {"ray_triangle_tests", contact_.rayTests()}};
+    return {{"rays", contact_.rays()},
+            {"ray_triangle_tests", contact_.rayTests()},
+            {"displacement_sweeps", contact_.displacementCounts().sweeps},
+            {"displacement_pushes", contact_.displacementCounts().pushes}};
+  }
+
+  std::vector<StageTime> stageTimes() const override {
+    const ContactTimes& times = contact_.times();
+    return {{"rays", times.rays_s},
+            {"association", times.association_s},
+            {"vertex_contacts", times.vertex_contacts_s},
+            {"displacement", times.displacement_s},
+            {"report", times.report_s},
+            {"transfer", transfer_s_}};
   }
 
  private:
   void afterSolve() {
     const auto start = std::chrono::steady_clock::now();
+    StageClock clock;
     world_.readPositions(positions_m_);
+    clock.lap(transfer_s_);
     contact_.step(positions_m_, inverse_masses_, before_, now_, step_s_, counts_, patch_);
+    clock = {};
     world_.writePositions(positions_m_);
     if (!contact_.motion_m().empty()) world_.addMotion(contact_.motion_m());
+    clock.lap(transfer_s_);
     counts_.timing.collision_us =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
@@ -78,6 +95,7 @@ class NodePipeline : public Pipeline {
   std::vector<ToolState> before_, now_;
   State counts_;  ///< only the fields that NodeContact fills
   ContactPatch patch_;
+  double transfer_s_ = 0;  ///< of positions and motion between Bullet and the method, so far
 };
 
 }  // namespace

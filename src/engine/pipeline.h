@@ -21,6 +21,8 @@ class Pipeline {
   /// After Bullet's step: contacts, counts, reaction and collision time of the step into `state` and `patch`.
   virtual void report(State& state, ContactPatch& patch) = 0;
   virtual Summary counters() const { return {}; }
+  /// Of what the pipeline adds to Bullet's own stages.
+  virtual std::vector<StageTime> stageTimes() const { return {}; }
 };
 
 /// What a pipeline is built from; all references outlive it.

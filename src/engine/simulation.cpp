@@ -103,11 +103,20 @@ class BulletSimulation : public Simulation {
     world_->step();
     pipeline_->report(state_, patch_);
     collect();
-    if (forces_) forces_->evaluate(patch_, state_);
+    if (!forces_) return;
+    StageClock clock;
+    forces_->evaluate(patch_, state_);
+    clock.lap(forces_s_);
   }
 
   const State& state() const override { return state_; }
   Summary counters() const override { return pipeline_->counters(); }
+  std::vector<StageTime> stageTimes() const override {
+    std::vector<StageTime> stages = world_->stageTimes();
+    for (StageTime& stage : pipeline_->stageTimes()) stages.push_back(std::move(stage));
+    if (forces_) stages.push_back({"force_laws", forces_s_});
+    return stages;
+  }
 
  private:
   void collect() {
@@ -122,6 +131,7 @@ class BulletSimulation : public Simulation {
   std::unique_ptr<TriangleForces> forces_;
   std::vector<ToolState> before_;
   ContactPatch patch_;
+  double forces_s_ = 0;
   State state_;
 };
 

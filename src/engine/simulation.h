@@ -6,6 +6,7 @@
 
 #include "base/record.h"
 #include "base/scene.h"
+#include "base/stage_times.h"
 #include "base/state.h"
 #include "scenario/scenario.h"
 
@@ -21,8 +22,12 @@ class Simulation {
   /// step, time_s and timing.step_us.
   virtual void step(const std::vector<Pose>& poses) = 0;
   virtual const State& state() const = 0;
-  /// Counts of the detector over the run ("rays", "ray_triangle_tests"), empty for Bullet's own.
+  /// Counts of the detector over the run ("rays", "ray_triangle_tests", "displacement_sweeps",
+  /// "displacement_pushes"), empty for Bullet's own.
   virtual Summary counters() const = 0;
+  /// Wall time of the steps' stages so far, in their order: Bullet's, then the pipeline's, then the force
+  /// laws'. What else a step does is in none of them.
+  virtual std::vector<StageTime> stageTimes() const = 0;
 };
 
 /// Builds the world of one run with its tools at `first_poses`. Throws std::invalid_argument for a pipeline

@@ -49,6 +49,26 @@ TEST_F(ContactImpulsesTest, AMassThatArrivesIsStoppedAndItsMomentumTaken) {
   EXPECT_NEAR(total().y(), 0.1 * 0.001, kExact);
 }
 
+// Powers of two: the first push is exact, and no later sweep finds anything left.
+TEST_F(ContactImpulsesTest, SweepsAreCountedAndPushesThatMoveTissue) {
+  inverse_masses[0] = 8;
+  heights(0, 0.0005, -0x1p-10);
+  apply(0, 3);
+  EXPECT_EQ(impulses->counts().sweeps, 0) << "no contact";
+  hold({1, 0, 0});
+  apply(0, 3);
+  EXPECT_EQ(impulses->counts().sweeps, 3 + 3) << "to push out, and to forget old overlap";
+  EXPECT_EQ(impulses->counts().pushes, 1);
+}
+
+TEST_F(ContactImpulsesTest, ForgettingOldOverlapIsAPushToo) {
+  inverse_masses[0] = 8;
+  heights(0, -0x1p-11, -0x1p-11);
+  hold({1, 0, 0});
+  apply(0, 3);
+  EXPECT_EQ(impulses->counts().pushes, 2);
+}
+
 TEST_F(ContactImpulsesTest, AMassBeforeAToolTakesTheToolsWay) {
   heights(0, -0.002, -0.002);  // it touched the tool, which rose by 2 mm
   hold({1, 0, 0});

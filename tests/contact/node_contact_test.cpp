@@ -235,6 +235,21 @@ TEST_F(NodeContactTest, AReactionIsInItsBodysOwnTime) {
   }
 }
 
+TEST_F(NodeContactTest, CountsSweepsOverContactsAndPushesThatMoveTissue) {
+  build(0.002, {.sweeps = 7});
+  moveTo(0.040);
+  EXPECT_EQ(contact->displacementCounts().sweeps, 0) << "nothing met";
+  inverse_masses.assign(positions.size(), 0.0);
+  moveTo(0.030);
+  EXPECT_EQ(contact->displacementCounts().sweeps, 7);
+  EXPECT_EQ(contact->displacementCounts().pushes, 0) << "fixed tissue";
+  inverse_masses.assign(positions.size(), 10.0);
+  moveTo(0.030);
+  EXPECT_EQ(contact->displacementCounts().sweeps, 14);
+  EXPECT_GE(contact->displacementCounts().pushes, 1);
+  EXPECT_LE(contact->displacementCounts().pushes, 7 * 9) << "of nine contacts in seven sweeps";
+}
+
 TEST_F(NodeContactTest, AFixedVertexStaysAndTheOthersGiveWay) {
   build(0.002);
   inverse_masses[0] = 0;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "contact/grid_nodes.h"
 #include "mesh/place.h"
@@ -76,6 +77,41 @@ class Press {
   std::unique_ptr<Simulation> simulation_;
   int steps_ = 0;
 };
+
+using Names = std::vector<std::string>;
+
+Names namesOf(const std::vector<StageTime>& stages) {
+  Names names;
+  for (const StageTime& stage : stages) names.push_back(stage.name);
+  return names;
+}
+
+TEST(Simulation, SaysHowLongItsStagesTookAndTheyFitIntoTheSteps) {
+  for (const std::string pipeline : {"default", "fukuhara"}) {
+    Press press(pipeline);
+    press.run(1);
+    const std::vector<StageTime> before = press.simulation().stageTimes();
+    const auto start = std::chrono::steady_clock::now();
+    press.run(20);
+    const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::vector<StageTime> after = press.simulation().stageTimes();
+    ASSERT_EQ(namesOf(after), namesOf(before)) << pipeline;
+    double sum_s = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      EXPECT_GT(after[i].total_s, before[i].total_s) << pipeline << ' ' << after[i].name;
+      sum_s += after[i].total_s - before[i].total_s;
+    }
+    EXPECT_LE(sum_s, wall_s) << pipeline << ": no time is booked twice";
+  }
+}
+
+TEST(Simulation, StagesAreThoseOfThePipeline) {
+  EXPECT_EQ(namesOf(Press("default").simulation().stageTimes()),
+            (Names{"predict", "detection", "solve", "force_laws"}));
+  EXPECT_EQ(namesOf(Press("fukuhara").simulation().stageTimes()),
+            (Names{"predict", "detection", "solve", "rays", "association", "vertex_contacts", "displacement",
+                   "report", "transfer", "force_laws"}));
+}
 
 TEST(Simulation, BuildsExactlyThePipelinesOfTheCatalog) {
   std::vector<std::string> offered;

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+
+namespace fissure {
+
+/// Wall time that one stage of a simulation's steps has taken so far.
+struct StageTime {
+  std::string name;
+  double total_s = 0;
+};
+
+/// Books the time since its last lap on a stage.
+class StageClock {
+ public:
+  void lap(double& stage_s) {
+    const auto now = std::chrono::steady_clock::now();
+    stage_s += std::chrono::duration<double>(now - last_).count();
+    last_ = now;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace fissure
