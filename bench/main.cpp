@@ -13,6 +13,7 @@
 //                                    written and drawn (means)
 //   store/append                     one row of spatula_press into a part file: the median of blocks
 //   render/640x480                   one frame of spatula_press
+//   compare/difference, shift        1,000 rows of 66 vertices against others; over 20 rows each way
 //
 // Counters are of one call, step or row (record: frames are of the whole run). Those whose names end in _us
 // are times: of each stage of a step (Simulation::stageTimes), medians. All others are exact, the same in
@@ -32,5 +33,6 @@ int main(int argc, char** argv) {
   fissure::bench::addContactCases();
   fissure::bench::addRecordCases();
   fissure::bench::addOutputCases();
+  fissure::bench::addCompareCases();
   return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
 }
