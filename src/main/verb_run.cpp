@@ -66,15 +66,14 @@ void printExpectations(const std::vector<CheckedExpectation>& expectations) {
   std::cout << "expectations: " << held << " of " << expectations.size() << " hold\n";
 }
 
-nlohmann::ordered_json expectationsJson(const std::vector<CheckedExpectation>& expectations) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const CheckedExpectation& checked : expectations)
-    list.push_back({{"run", checked.run},
+void addJson(const Experiment& experiment, nlohmann::ordered_json& list) {
+  for (const CheckedExpectation& checked : experiment.expectations())
+    list.push_back({{"scenario", experiment.checked().loaded.scenario.name},
+                    {"run", checked.run},
                     {"quantity", checked.quantity},
                     {"found", checked.found},
                     {"expected", checked.expected},
                     {"holds", checked.holds}});
-  return list;
 }
 
 void printText(const std::vector<Experiment>& experiments) {
@@ -101,14 +100,14 @@ void printText(const std::vector<Experiment>& experiments) {
 void printJson(const std::vector<Experiment>& experiments, int code) {
   nlohmann::ordered_json results = nlohmann::ordered_json::array();
   nlohmann::ordered_json parts = nlohmann::ordered_json::array();
+  nlohmann::ordered_json expectations = nlohmann::ordered_json::array();
   for (const Experiment& experiment : experiments) {
-    if (experiment.info()) {
-      results.push_back(resultJson(experiment.output(), *experiment.info()));
-      results.back()["expectations"] = expectationsJson(experiment.expectations());
-    }
+    if (experiment.info()) results.push_back(resultJson(experiment.output(), *experiment.info()));
+    addJson(experiment, expectations);
     for (const fs::path& part : experiment.keptParts()) parts.push_back(part.string());
   }
-  std::cout << jsonText({{"exit_code", code}, {"results", results}, {"kept_parts", parts}});
+  std::cout << jsonText(
+      {{"exit_code", code}, {"results", results}, {"expectations", expectations}, {"kept_parts", parts}});
 }
 
 int runScenarios(const RunOptions& options, const std::string& command_line) {
