@@ -15,13 +15,15 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 14> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 16> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
                                         {"motions", tables.motions},
                                         {"timings", tables.timings},
                                         {"interpolations", tables.interpolations},
+                                        {"log layouts", tables.log_layouts},
+                                        {"device frames", tables.device_frames},
                                         {"settings", tables.settings},
                                         {"responses", tables.responses},
                                         {"precisions", tables.precisions},

@@ -1,13 +1,16 @@
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 
 #include "main/exit_codes.h"
+#include "main/result_table.h"
 #include "main/run_plan.h"
 #include "main/scenario_options.h"
 #include "main/verbs.h"
 #include "mesh/place.h"
+#include "motion/motion.h"
 
 namespace fissure {
 
@@ -25,6 +28,18 @@ std::string sizeText(double bytes) {
   return text.data();
 }
 
+/// What the rules of a replay have found in its log: "replay: 1501 samples, 12 held samples, 0 gaps ..."
+void printReplay(const ToolSettings& tool, const std::filesystem::path& directory) {
+  const std::string prefix = "replay_";
+  std::string counts;
+  for (const SummaryValue& value : makeMotion(tool, directory)->summary()) {
+    std::string what = value.name.substr(value.name.starts_with(prefix) ? prefix.size() : 0);
+    std::replace(what.begin(), what.end(), '_', ' ');
+    counts += (counts.empty() ? "" : ", ") + summaryText(value) + " " + what;
+  }
+  if (!counts.empty()) std::cout << "    replay: " << counts << "\n";
+}
+
 void printScene(const CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
@@ -39,6 +54,7 @@ void printScene(const CheckedScenario& checked) {
               << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     std::cout << "\n";
+    printReplay(tool, scenario.directory);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
   if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";

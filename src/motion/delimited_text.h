@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "motion/log_table.h"
+
 namespace fissure {
 
 /// Reads the numbers of a text file with one header line of column names and one row a line. Cells are
@@ -13,7 +15,7 @@ namespace fissure {
 /// else runs of blanks. Tolerated: a UTF-8 byte order mark, CRLF, names and cells in double quotes or padded
 /// with blanks, a trailing delimiter, rows shorter than the header, empty lines. Refused: rows with more
 /// cells than names.
-class DelimitedText {
+class DelimitedText : public LogTable {
  public:
   /// Reads the file and its header. Throws InputError when it is missing, unreadable, empty or binary.
   explicit DelimitedText(const std::filesystem::path& file);
@@ -21,23 +23,22 @@ class DelimitedText {
   DelimitedText& operator=(const DelimitedText&) = delete;
 
   /// Index of a named column. Throws InputError, with the header's names, when it is missing or there twice.
-  std::size_t column(const std::string& name) const;
+  std::size_t column(const std::string& name) const override;
 
   /// Moves to the next row; false after the last one. Throws InputError with the line when it has too many
   /// cells.
-  bool next();
+  bool next() override;
 
   /// The cell of this row in a column; NaN where it is empty or absent. Numbers have a decimal point, in
   /// every locale. Throws InputError with the line when it holds anything else.
-  double number(std::size_t column) const;
+  double number(std::size_t column) const override;
 
   /// Of this row, from 1.
-  int line() const { return line_; }
-  const std::string& fileName() const { return file_; }
+  int line() const override { return line_; }
+  const std::string& fileName() const override { return file_; }
 
  private:
   bool takeLine(std::string_view& line);
-  void split(std::string_view line);
 
   std::string file_;
   std::string text_;

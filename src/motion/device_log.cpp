@@ -3,8 +3,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 
 #include "base/error.h"
+#include "motion/axis_lines.h"
 #include "motion/delimited_text.h"
 #include "scenario/scalars.h"
 
@@ -27,19 +29,25 @@ void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
 class LogReader {
  public:
   LogReader(const ReplayMotion& settings, const std::filesystem::path& file)
-      : settings_(settings), text_(file), to_m_(settings.position_unit == LengthUnit::mm ? 1e-3 : 1.0) {
-    if (settings.time_column) time_column_ = text_.column(*settings.time_column);
-    for (std::size_t i = 0; i < 3; ++i) position_columns_[i] = text_.column(settings.position_columns[i]);
+      : settings_(settings), to_m_(settings.position_unit == LengthUnit::mm ? 1e-3 : 1.0) {
+    if (settings.layout == LogLayout::axes) {
+      table_ = std::make_unique<AxisLines>(file);
+      position_columns_ = {0, 1, 2};
+      return;
+    }
+    table_ = std::make_unique<DelimitedText>(file);
+    if (settings.time_column) time_column_ = table_->column(*settings.time_column);
+    for (std::size_t i = 0; i < 3; ++i) position_columns_[i] = table_->column(settings.position_columns[i]);
     if (!settings.quaternion_columns) return;
     for (std::size_t i = 0; i < 4; ++i)
-      quaternion_columns_[i] = text_.column((*settings.quaternion_columns)[i]);
+      quaternion_columns_[i] = table_->column((*settings.quaternion_columns)[i]);
   }
 
   DeviceLog read() {
-    for (; text_.next(); ++row_) takeRow();
-    if (row_ == 0) throw InputError(text_.fileName(), 1, "only a header line, expected rows below it");
+    for (; table_->next(); ++row_) takeRow();
+    if (row_ == 0) throw InputError(table_->fileName(), 1, "only a header line, expected rows below it");
     if (log_.rows.empty())
-      throw InputError(text_.fileName() + ": none of its " + std::to_string(row_) +
+      throw InputError(table_->fileName() + ": none of its " + std::to_string(row_) +
                        " rows has a pose, expected a number in each named column");
     return std::move(log_);
   }
@@ -66,10 +74,10 @@ class LogReader {
   /// Relative to the first row kept, once there is one.
   double readTime_s() {
     if (!settings_.time_column) return static_cast<double>(row_) / *settings_.rate_hz;
-    const double stamp_s = text_.number(time_column_);
+    const double stamp_s = table_->number(time_column_);
     if (!std::isfinite(stamp_s)) return stamp_s;
     if (stamp_s < latest_stamp_s_)
-      throw InputError(text_.fileName(), text_.line(),
+      throw InputError(table_->fileName(), table_->line(),
                        "time goes back from " + formatReal(latest_stamp_s_) + " to " + formatReal(stamp_s) +
                            " s in column \"" + *settings_.time_column + "\", expected rows in order of time");
     latest_stamp_s_ = stamp_s;
@@ -82,22 +90,22 @@ class LogReader {
   }
 
   Vec3 readPosition_m() const {
-    return to_m_ * Vec3(text_.number(position_columns_[0]), text_.number(position_columns_[1]),
-                        text_.number(position_columns_[2]));
+    return to_m_ * Vec3(table_->number(position_columns_[0]), table_->number(position_columns_[1]),
+                        table_->number(position_columns_[2]));
   }
 
   /// Unit; NaN where the row has none.
   Quat readOrientation() const {
     if (!settings_.quaternion_columns) return Quat::Identity();
     const auto& columns = quaternion_columns_;
-    const Eigen::Vector4d xyzw(text_.number(columns[0]), text_.number(columns[1]), text_.number(columns[2]),
-                               text_.number(columns[3]));
+    const Eigen::Vector4d xyzw(table_->number(columns[0]), table_->number(columns[1]),
+                               table_->number(columns[2]), table_->number(columns[3]));
     if (xyzw.norm() > shortest_quaternion) return Quat(Eigen::Vector4d(xyzw / xyzw.norm()));
     return Quat(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
 
   const ReplayMotion& settings_;
-  DelimitedText text_;
+  std::unique_ptr<LogTable> table_;
   double to_m_;
   std::size_t time_column_ = 0;
   std::array<std::size_t, 3> position_columns_ = {};

@@ -31,7 +31,7 @@ Mat3 rotationOfAxes(const std::array<std::string, 3>& axes, const std::string& w
 }  // namespace
 
 DeviceToScene::DeviceToScene(const DeviceMapping& mapping, const std::string& where)
-    : axes_(rotationOfAxes(mapping.axes, where)),
+    : axes_(rotationOfAxes(mapping.sceneAxes(), where)),
       rotation_(axes_),
       scale_(mapping.scale),
       origin_device_m_(mapping.origin_device_m),

@@ -50,6 +50,11 @@ const Catalog& catalog() {
                         {"vertices", "Bullet's vertices against faces"},
                         {"clusters", "Bullet's clusters against clusters"}},
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}},
+      .log_layouts = {{"rows", "a header line of names, then one line a sample"},
+                      {"axes", "no header: a line of all x, one of all y, one of all z"}},
+      .device_frames = {{"scene", "the device's axes are the scene's, or as `axes` says"},
+                        {"novint", "Falcon by its own driver: x right, y up, z to the operator"},
+                        {"chai3d", "Falcon by CHAI3D: x to the operator, y right, z up"}},
   };
   return tables;
 }

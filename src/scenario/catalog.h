@@ -30,6 +30,8 @@ struct Catalog {
   std::vector<CatalogEntry> aero_models;  ///< in the order of Bullet's eAeroModel
   std::vector<CatalogEntry> soft_contacts;
   std::vector<CatalogEntry> length_units;
+  std::vector<CatalogEntry> log_layouts;
+  std::vector<CatalogEntry> device_frames;
 };
 
 const Catalog& catalog();

@@ -29,7 +29,8 @@ void describe(Io& io, ScriptMotion& m) {
 
 template <class Io>
 void describe(Io& io, DeviceMapping& m) {
-  io.field("axes", m.axes);
+  io.choice("frame", m.frame, catalog().device_frames);
+  io.fieldIf(m.frame == DeviceFrame::scene, "frame scene", "axes", m.axes);
   io.field("scale", m.scale);
   io.field("origin_device_m", m.origin_device_m);
   io.field("origin_scene_m", m.origin_scene_m);
@@ -39,11 +40,13 @@ void describe(Io& io, DeviceMapping& m) {
 template <class Io>
 void describe(Io& io, ReplayMotion& m) {
   io.required("file", m.file);
-  io.field("time_column", m.time_column);
+  io.choice("layout", m.layout, catalog().log_layouts);
+  const bool rows = m.layout == LogLayout::rows;
+  io.fieldIf(rows, "layout rows", "time_column", m.time_column);
   io.field("rate_hz", m.rate_hz);
-  io.field("position_columns", m.position_columns);
+  io.fieldIf(rows, "layout rows", "position_columns", m.position_columns);
   io.choice("position_unit", m.position_unit, catalog().length_units);
-  io.field("quaternion_columns", m.quaternion_columns);
+  io.fieldIf(rows, "layout rows", "quaternion_columns", m.quaternion_columns);
   io.field("mapping", m.mapping);
   io.field("start_s", m.start_s);
   io.field("end_s", m.end_s);

@@ -72,11 +72,13 @@ void checkColumns(Checker check, const ReplayMotion& motion) {
 void checkMotion(Checker check, const ReplayMotion& motion) {
   check.require(!motion.file.empty(), "file", "is empty, expected the name of a log");
   check.require(motion.time_column.has_value() != motion.rate_hz.has_value(), "",
-                "expected exactly one of time_column and rate_hz");
+                motion.layout == LogLayout::rows
+                    ? "expected exactly one of time_column and rate_hz"
+                    : "expected rate_hz, which says when the samples of layout axes were");
   if (motion.rate_hz) check.positive("rate_hz", *motion.rate_hz);
   checkColumns(check, motion);
   Checker mapping = check.in("mapping");
-  const int hand = handedness(motion.mapping.axes);
+  const int hand = handedness(motion.mapping.sceneAxes());
   mapping.require(hand != 0, "axes", "expected x, y and z, each once and perhaps with a minus: [x, -z, y]");
   mapping.require(hand >= 0, "axes", "is left-handed, expected a right-handed frame (turn one sign)");
   mapping.positive("scale", motion.mapping.scale);

@@ -76,6 +76,20 @@ TEST_F(RecordedLogs, FalconPositionsAreReplayedThroughAMapping) {
   }
 }
 
+// As the driver dumped it: one line an axis, of which one is a sample shorter than the others.
+TEST_F(RecordedLogs, FalconAsItsRawTextIsTheSame) {
+  ReplayMotion raw;
+  raw.file = "falcon_session_A_position.txt";
+  raw.layout = LogLayout::axes;
+  raw.rate_hz = 100;
+  const auto motion = play(raw), rows = play(falcon());
+  EXPECT_EQ(count(*motion, "replay_samples"), 8513);
+  EXPECT_GE(count(*motion, "replay_dropped_rows"), 1);
+  EXPECT_EQ(count(*motion, "replay_held_samples"), count(*rows, "replay_held_samples"));
+  for (int i = 0; i < 8513; ++i)
+    ASSERT_LT((motion->poseAt(0.01 * i).position_m - rows->poseAt(0.01 * i).position_m).norm(), 1e-12) << i;
+}
+
 TEST_F(RecordedLogs, FalconForcesFollowFromReplayedPositions) {
   // What the recorder did: a spring of 55 N/m to P0. Nobody here wrote these force columns.
   const auto motion = play(falcon());

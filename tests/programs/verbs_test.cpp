@@ -33,14 +33,22 @@ TEST(Verbs, ListNamesTheWholeCatalog) {
   const Folder folder;
   const std::string out = runFissure(folder, {"list"}).out;
   const Catalog& tables = catalog();
-  for (const auto* table :
-       {&tables.pipelines, &tables.force_laws, &tables.body_shapes, &tables.tool_shapes, &tables.motions,
-        &tables.timings, &tables.interpolations, &tables.settings, &tables.precisions, &tables.responses,
-        &tables.rates, &tables.deformations, &tables.aero_models, &tables.soft_contacts})
+  for (const auto* table : {&tables.pipelines, &tables.force_laws, &tables.body_shapes, &tables.tool_shapes,
+                            &tables.motions, &tables.timings, &tables.interpolations, &tables.settings,
+                            &tables.precisions, &tables.responses, &tables.log_layouts, &tables.device_frames,
+                            &tables.rates, &tables.deformations, &tables.aero_models, &tables.soft_contacts})
     for (const CatalogEntry& entry : *table) {
       EXPECT_NE(out.find("  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
       EXPECT_NE(out.find(entry.description), std::string::npos) << entry.name;
     }
+}
+
+// What the rules of a replay have found is shown before anything is run.
+TEST(Verbs, PlanShowsWhatALogHolds) {
+  const Outcome plan = runFissure(Folder(), {"plan", FISSURE_SOURCE_DIR "/configs/replay_falcon.yaml"});
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  for (const char* count : {" samples, ", " held samples, ", " gaps, ", " jumps, ", " dropped rows, "})
+    EXPECT_NE(plan.out.find(count), std::string::npos) << count << plan.out;
 }
 
 // 0.03 s of 1 ms steps: 30 steps, snapshots at 0, 10, 20 and 30 ms, frames at 0 and 20 ms.

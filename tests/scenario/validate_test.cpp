@@ -99,6 +99,16 @@ TEST(Validate, ScenarioAndTime) {
   });
 }
 
+TEST(Validate, ALogOfAxesNeedsARateAlone) {
+  Scenario s = full();
+  replay(s).layout = LogLayout::axes;
+  replay(s).time_column.reset();
+  ASSERT_EQ(validate(s).size(), 1u);
+  EXPECT_NE(validate(s)[0].message.find("expected rate_hz"), std::string::npos);
+  replay(s).rate_hz = 100;
+  EXPECT_TRUE(validate(s).empty());
+}
+
 TEST(Validate, Expectations) {
   const auto expecting = [](const Expectation& expected) {
     return [expected](Scenario& s) { s.expect = {{.quantity = "steps", .min = 1}, expected}; };

@@ -79,7 +79,8 @@ const char* const every_field =
     "      jump_m: 0.01\n"
     "  - name: hand2\n"
     "    shape: {type: box, size_m: [1, 1, 1]}\n"
-    "    motion: {type: replay, file: my log (1).csv, rate_hz: 999.5}\n"
+    "    motion: {type: replay, file: my log (1).csv, layout: axes, rate_hz: 999.5, mapping: {frame: "
+    "chai3d}}\n"
     "pipelines:\n"
     "  - {name: a, pipeline: default, settings: tuned, sdf_voxel_m: 0.002, kinematic_hardness: 0.3, "
     "time_limit_s: 9}\n"
@@ -190,7 +191,12 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   replay.max_gap_s = 0.1;
   replay.jump_m = 0.01;
   EXPECT_EQ(std::get<ReplayMotion>(s.tools[1].motion), replay);
-  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion).rate_hz, 999.5);
+  ReplayMotion raw;
+  raw.file = "my log (1).csv";
+  raw.layout = LogLayout::axes;
+  raw.rate_hz = 999.5;
+  raw.mapping.frame = DeviceFrame::chai3d;
+  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion), raw);
 }
 
 TEST(Write, WritesEveryDefaultAndLeavesOutWhatHasNoValue) {
