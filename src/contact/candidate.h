@@ -17,6 +17,7 @@ struct ContactConstraint {
   Vec3 normal;                      ///< unit, scene frame
   int tool = 0;                     ///< whose point it is
   double target_m = 0;  ///< least distance of the tissue point in front of the tool point, along normal
+  double friction = 0;  ///< Coulomb's coefficient of tissue on tool; only ContactImpulses rubs
 };
 
 /// The point with barycentric coordinates `weights` in a triangle: of positions, or of ways of the vertices.

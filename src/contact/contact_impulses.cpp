@@ -14,6 +14,14 @@ void move(const ContactConstraint& contact, double push_kg_m, std::span<const do
   }
 }
 
+void move(const ContactConstraint& contact, const Vec3& push_kg_m, std::span<const double> inverse_masses,
+          std::span<Vec3> of_vertices) {
+  for (int j = 0; j < 3; ++j) {
+    const int vertex = contact.vertices[j];
+    of_vertices[vertex] += inverse_masses[vertex] * contact.weights[j] * push_kg_m;
+  }
+}
+
 }  // namespace
 
 void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
@@ -34,8 +42,10 @@ void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
 
 Vec3 ContactImpulses::total(std::span<const double> factors) const {
   Vec3 total = Vec3::Zero();
-  for (std::size_t i = 0; i < pushes_.size(); ++i)
+  for (std::size_t i = 0; i < pushes_.size(); ++i) {
     total += pushes_[i].kg_m * factors[pushes_[i].vertex] * normals_[i];
+    total += factors[pushes_[i].vertex] * pushes_[i].friction_kg_m;
+  }
   return total;
 }
 
@@ -58,6 +68,7 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
     const Vec3 normal_was = from.rotateToScene(to.rotateToBody(contact.normal));
     push.tool_way_m = (contact.position_m - was_at_m).dot(contact.normal);
     push.old_overlap_m = contact.target_m - (pointOf(contact, before_m) - was_at_m).dot(normal_was);
+    if (contact.friction > 0) push.stuck_at_m = to.toScene(from.toBody(pointOf(contact, before_m)));
   }
 }
 
@@ -75,12 +86,29 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
       counts_.pushes += change_kg_m != 0 ? 1 : 0;
       push.kg_m += change_kg_m;
       move(contact, change_kg_m, inverse_masses, positions_m);
+      if (contact.friction > 0)
+        rub(contact, push, pointOf(contact, positions_m), inverse_masses, positions_m);
     }
   }
 }
 
+// `point_m`: where the tissue point is by those of its displacements that `of_vertices` counts. What slips is
+// stopped, or slowed down by as much as the push along the normal allows.
+void ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
+                          std::span<const double> inverse_masses, std::span<Vec3> of_vertices) {
+  Vec3 slip_m = point_m - push.stuck_at_m;
+  slip_m -= slip_m.dot(contact.normal) * contact.normal;
+  Vec3 friction_kg_m = push.friction_kg_m - slip_m / push.mobility;
+  const double most_kg_m = contact.friction * push.kg_m;
+  const double wanted_kg_m = friction_kg_m.norm();
+  if (wanted_kg_m > most_kg_m) friction_kg_m *= most_kg_m / wanted_kg_m;
+  move(contact, Vec3(friction_kg_m - push.friction_kg_m), inverse_masses, of_vertices);
+  push.friction_kg_m = friction_kg_m;
+}
+
 // Where a contact pushed and its tissue now leaves the tool, the part of that speed that comes from undoing
-// old overlap is taken out of the motion again, and no more than the contact gave.
+// old overlap is taken out of the motion again, and no more than the contact gave. Friction then holds, in
+// the motion, what slips in the motion, by what is left of the push.
 void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constraints,
                                        std::span<const double> inverse_masses) {
   for (int sweep = 0; sweep < sweeps_; ++sweep) {
@@ -88,15 +116,20 @@ void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constr
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& contact = constraints[i];
       Push& push = pushes_[i];
-      if (!(push.kg_m > 0) || !(push.old_overlap_m > 0)) continue;
-      const double leaves_m =
-          (pointOf(contact, way_m_) + pointOf(contact, motion_m_)).dot(contact.normal) - push.tool_way_m;
-      const double removed_m =
-          std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
-      counts_.pushes += removed_m != 0 ? 1 : 0;
-      push.old_overlap_m -= removed_m;
-      push.kg_m -= removed_m / push.mobility;
-      move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);
+      if (!(push.mobility > 0)) continue;
+      if (push.kg_m > 0 && push.old_overlap_m > 0) {
+        const double leaves_m =
+            (pointOf(contact, way_m_) + pointOf(contact, motion_m_)).dot(contact.normal) - push.tool_way_m;
+        const double removed_m =
+            std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
+        counts_.pushes += removed_m != 0 ? 1 : 0;
+        push.old_overlap_m -= removed_m;
+        push.kg_m -= removed_m / push.mobility;
+        move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);
+      }
+      if (contact.friction > 0)
+        rub(contact, push, pointOf(contact, start_m_) + pointOf(contact, motion_m_), inverse_masses,
+            motion_m_);
     }
   }
 }

@@ -14,6 +14,10 @@ namespace fissure {
 /// triangle end at the least push that holds all (as accumulated impulses do in rigid-body solvers); and the
 /// displacement is motion, so the tissue's momentum changes by what its contacts pushed. What only undoes
 /// overlap that was there when the step began is displacement without motion, so that it throws nothing out.
+///
+/// Coulomb friction: within the same sweeps a contact also pushes along the tool's surface, against what the
+/// tissue point slips on it in the step, by at most `friction` times its push along the normal: a cone, as a
+/// tissue point is as mobile in every direction.
 class ContactImpulses {
  public:
   ContactImpulses(int vertex_count, int sweeps) : sweeps_(sweeps), motion_m_(vertex_count) {}
@@ -40,6 +44,8 @@ class ContactImpulses {
     double kg_m = 0;           ///< impulse so far times the time step, never negative
     double tool_way_m = 0;     ///< of the tool point in the step, along the normal
     double old_overlap_m = 0;  ///< there at the start of the step, as far as it still counts as motion
+    Vec3 friction_kg_m = Vec3::Zero();  ///< the same as kg_m along the surface, on the tissue
+    Vec3 stuck_at_m = Vec3::Zero();     ///< the tissue point had it gone with the tool; only with friction
   };
   void prepare(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
                const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
@@ -48,6 +54,8 @@ class ContactImpulses {
                std::span<Vec3> positions_m);
   void forgetOldOverlap(std::span<const ContactConstraint> constraints,
                         std::span<const double> inverse_masses);
+  static void rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
+                  std::span<const double> inverse_masses, std::span<Vec3> of_vertices);
 
   int sweeps_;
   DisplacementCounts counts_;

@@ -22,6 +22,8 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
     before_m_.insert(before_m_.end(), rest_m.begin(), rest_m.end());
     const double scale = settings_.time_scales.empty() ? 1 : settings_.time_scales.at(b);
     force_factors_.insert(force_factors_.end(), rest_m.size(), 1 / (scale * scale));
+    if (!settings_.tool_frictions.empty())
+      frictions_.insert(frictions_.end(), rest_m.size(), settings_.body_frictions.at(b));
   }
 }
 
@@ -37,6 +39,7 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
     vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
   if (rim_edges_)
     rim_edges_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
+  if (!frictions_.empty()) roughen();
   clock.lap(times_.vertex_contacts_s);
   if (patch.tools.size() > 1) noteDisplacements(positions_m);
   state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
@@ -107,6 +110,11 @@ void NodeContact::limitDisplacement(NodeCandidate& candidate) const {
   if (candidate.depth_m + candidate.constraint.target_m <= allowed_m) return;
   candidate.constraint.target_m = allowed_m - candidate.depth_m;
   candidate.state = NodeState::capped;
+}
+
+void NodeContact::roughen() {
+  for (ContactConstraint& contact : constraints_)
+    contact.friction = frictions_[contact.vertices[0]] * settings_.tool_frictions[contact.tool];
 }
 
 void NodeContact::noteDisplacements(std::span<const Vec3> positions_m) {

@@ -36,6 +36,9 @@ struct NodeContactSettings {
   double max_displacement_m = 0.005;  ///< of tissue at a node, beyond the approach of the step itself
   std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
   std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
+  /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's (as Bullet's SDF
+  /// contact has it); empty: frictionless. Response momentum only: without it there is no force to rub with.
+  std::vector<double> body_frictions, tool_frictions;
 };
 
 /// Wall time of NodeContact's steps so far, seconds.
@@ -79,6 +82,7 @@ class NodeContact {
                double dt_s);
   void noteToolsPutInside();
   void limitDisplacement(NodeCandidate& candidate) const;
+  void roughen();
   void noteDisplacements(std::span<const Vec3> positions_m);
   void report(State& state, ContactPatch& patch) const;
 
@@ -91,6 +95,7 @@ class NodeContact {
   std::optional<ContactImpulses> impulses_;  ///< response momentum
   int node_count_;
   std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
+  std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
   ContactTimes times_;
 
   /// One a tool, 1: in the first step it was deeper in tissue than a margin, and its nodes have had contact

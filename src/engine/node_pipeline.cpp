@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <chrono>
 
 #include "contact/node_contact.h"
@@ -17,10 +18,17 @@ NodeContactSettings contactSettings(const PipelineContext& context) {
                                .ray_length_m = context.settings.ray_length_m,
                                .max_displacement_m = context.settings.max_displacement_m,
                                .margins_m = {},
-                               .time_scales = {}};
+                               .time_scales = {},
+                               .body_frictions = {},
+                               .tool_frictions = {}};
   for (const BodySettings& body : context.scenario.bodies) {
     settings.margins_m.push_back(body.margin_m);
     settings.time_scales.push_back(body.solver.time_scale);
+    settings.body_frictions.push_back(body.solver.dynamic_friction);
+  }
+  const std::vector<ToolSettings>& tools = context.scenario.tools;
+  if (std::any_of(tools.begin(), tools.end(), [](const ToolSettings& tool) { return tool.friction > 0; })) {
+    for (const ToolSettings& tool : tools) settings.tool_frictions.push_back(tool.friction);
   }
   return settings;
 }

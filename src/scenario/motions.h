@@ -114,8 +114,10 @@ struct NodeSettings {
 struct ToolSettings {
   std::string name;
   BoxShape shape;
-  NodeSettings nodes;     ///< for the pipelines that use nodes
-  double friction = 0.0;  ///< of the tool in Bullet's own contacts, >= 0
+  NodeSettings nodes;  ///< for the pipelines that use nodes
+  /// Coulomb's coefficient, >= 0, times the body's `solver.dynamic_friction` (pipeline cluster: the smaller
+  /// of the two). Ray casting needs response momentum for it; to `prescribed` tissue sticks in any case.
+  double friction = 0.0;
   /// The largest force of the haptic device that the tool stands for, > 0 (Falcon: 8 N by CHAI3D's
   /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
   std::optional<double> force_limit_N;

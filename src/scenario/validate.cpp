@@ -110,6 +110,19 @@ void checkAmounts(Checker check, const Scenario& scenario, std::optional<double>
   }
 }
 
+/// Friction is a share of the contacts' force, and response none knows none.
+void checkFriction(Checker check, const Scenario& scenario) {
+  for (const ToolSettings& tool : scenario.tools) {
+    for (const PipelineSettings& entry : scenario.pipelines) {
+      const bool rubs = !entry.usesNodes() || entry.contactResponse() == "momentum";
+      check.require(tool.friction == 0 || rubs, tool.name + ".friction",
+                    "is " + formatReal(tool.friction) + ", but run " + entry.name +
+                        " has response none and with it no force to rub with, expected 0 or pipelines." +
+                        entry.name + ".response momentum");
+    }
+  }
+}
+
 /// Relations between values that are good each by itself.
 void checkRelations(Checker check, const Scenario& scenario) {
   const std::optional<double> duration_s = knownDuration(scenario);
@@ -118,6 +131,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
                "takes more than 1e8 steps, expected fewer");
   if (duration_s) checkSteps(time, scenario.time, *duration_s);
   checkSizes(check, scenario);
+  checkFriction(check.in("tools"), scenario);
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 

@@ -55,6 +55,12 @@ INSTANTIATE_TEST_SUITE_P(
                     BadText{"broken_yaml", "[0, 0.062, 0]", "[0, 0.062", "s.yaml:"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+TEST(BadRelation, FrictionWithoutAForce) {
+  const Folder folder;
+  folder.write("s.yaml", with(pressScenario("[{pipeline: raycast}]"), "nodes:", "friction: 0.3\n    nodes:"));
+  expectRefused(runFissure(folder, {"run", "s.yaml"}), "s.yaml:16: tools.spatula.friction is 0.3");
+}
+
 TEST(BadFile, MissingScenario) {
   const Folder folder;
   expectRefused(runFissure(folder, {"run", "none.yaml"}), "none.yaml");

@@ -424,6 +424,26 @@ TEST(Validate, RefusesAbsurdAmounts) {
   EXPECT_EQ(validate(nodes)[0].path, "tools");
 }
 
+// Friction is a share of a force, and contacts that only displace have none. The other pipelines have theirs.
+TEST(Validate, FrictionNeedsAResponseThatHasAForce) {
+  Scenario s = full();
+  for (const char* pipeline : {"default", "null", "cluster", "fukuhara", "prescribed"}) {
+    s.pipelines = {{.name = "p", .pipeline = pipeline}};
+    s.tools[0].friction = 0.5;
+    EXPECT_TRUE(validate(s).empty()) << pipeline;
+  }
+  for (const PipelineSettings& entry :
+       {PipelineSettings{.name = "p", .pipeline = "raycast"},
+        PipelineSettings{.name = "p", .pipeline = "fukuhara", .response = "none"}}) {
+    s.pipelines = {entry};
+    s.tools[0].friction = 0.5;
+    ASSERT_EQ(validate(s).size(), 1u) << entry.pipeline;
+    EXPECT_EQ(validate(s)[0].path, "tools.blade.friction");
+    s.tools[0].friction = 0;
+    EXPECT_TRUE(validate(s).empty()) << entry.pipeline;
+  }
+}
+
 TEST(Validate, AFrameEveryStepIsFine) {
   Scenario s = smallest();
   s.time.step_s = 1.0 / 3;

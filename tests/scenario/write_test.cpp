@@ -85,7 +85,7 @@ const char* const every_field =
     "  - {name: a, pipeline: default, settings: tuned, sdf_voxel_m: 0.002, kinematic_hardness: 0.3, "
     "time_limit_s: 9}\n"
     "  - {pipeline: \"null\", precision: f32}\n"
-    "  - {name: b, pipeline: fukuhara, ray_length_m: 0.06, vertex_contacts: true, response: none, sweeps: "
+    "  - {name: b, pipeline: raycast, ray_length_m: 0.06, vertex_contacts: true, response: momentum, sweeps: "
     "11, "
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
@@ -152,7 +152,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[1].precision, "f32");
   EXPECT_EQ(s.pipelines[2],
-            (PipelineSettings{"b", "fukuhara", "f64", "stock", {}, {}, 0.06, true, "none", 11, 0.02, 3600}));
+            (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
                 {"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
