@@ -2,6 +2,7 @@
 """What contacts do to the tissue's momentum: response none, response momentum, and the tissue alone, compared.
 
     /usr/bin/python3 scripts/response_table.py
+    /usr/bin/python3 scripts/response_table.py --friction      # the press with friction at the tool alone: friction.csv, friction.md
 
 Writes results/response/press.csv (both press scenarios over speeds, steps and nodes), scenes.csv (bodies at rest on a tool, lifted,
 pushed) and table.md. "alone": the same tissue compressed by prescribed vertices (pipeline prescribed).
@@ -24,6 +25,8 @@ PRESSES = {  # scenario: (tool, nodes along an edge, steps)
     "plate_press": ("plate", [16, 32], ["0.001", "1/240"]),
 }
 RESPONSES = ["none", "momentum"]
+FRICTIONS = [0, 0.1, 0.3, 0.5]  # Coulomb's, tool and tissue together
+TISSUE_FRICTION = 0.5  # dynamic_friction of both press scenarios
 WEIGHT_N = 0.981
 SCENE = """format: 1
 name: scene
@@ -66,14 +69,14 @@ def run(arguments, folder, text, pipelines, settings=()):
     return {p["name"]: {"status": p["status"], **p["summary"]} for p in results}, folder / "result.h5"
 
 
-def press_text(config):
+def press_text(config, responses):
     law = "model: hunt_crossley, k: 200, lambda: 50, n: 1.3"
+    entries = "\n".join(f"  - {{name: {name}, pipeline: fukuhara, response: {name}}}" for name in responses)
     return f"""base: {ROOT}/configs/{config}.yaml
 name: press
 pipelines:
   - {{name: alone, pipeline: prescribed}}
-  - {{name: none, pipeline: fukuhara, response: none}}
-  - {{name: momentum, pipeline: fukuhara, response: momentum}}
+{entries}
 force:
   - {{name: hc, {law}}}
   - {{name: hc_velocities, {law}, rate: velocities}}
@@ -91,7 +94,7 @@ def press(arguments, folder, config, tool, nodes, step, speed):
     settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
     settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
     names = RESPONSES + (["default_tuned"] if config == "plate_press" else [])
-    summaries, file = run(arguments, folder, press_text(config), ["alone", *names], settings)
+    summaries, file = run(arguments, folder, press_text(config, RESPONSES), ["alone", *names], settings)
     own = summaries["alone"]
     for name in names:
         s = summaries[name]
@@ -116,6 +119,65 @@ def press(arguments, folder, config, tool, nodes, step, speed):
             "mean_collision_us": s["timing/mean_collision_us"],
             "mean_step_us": s["timing/mean_step_us"],
         }
+
+
+def rubbed(arguments, folder, config, tool, nodes, speed):
+    """Presses with friction at the tool, dt = 1 ms; the tissue alone sticks in any case."""
+    settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
+    if config == "spatula_press":
+        settings.append("pipelines.raycast.response=momentum")  # an entry of the file, not run: it must allow for friction
+    text = press_text(config, RESPONSES[1:])
+    own = None
+    for friction in FRICTIONS:
+        names = [*([] if own else ["alone"]), "momentum"]
+        summaries, file = run(arguments, folder, text, names, [*settings, f"tools.{tool}.friction={friction / TISSUE_FRICTION}"])
+        own = own or summaries["alone"]
+        s = summaries["momentum"]
+        yield {
+            "scenario": config,
+            "nodes": f"{nodes} x {nodes}",
+            "speed_m_s": speed,
+            "friction": friction,
+            "status": s["status"],
+            "depth_mm": 1000 * s["max_penetration_depth_m"],
+            "inverted": s["max_inverted_triangles"],
+            "max_force_N": s["max_force_hc_N"],
+            "roughness": s["force_roughness_hc"],
+            "roughness_alone": own["force_roughness_hc"],
+            "same_triangles": s["roughness_same_triangles_hc"],
+            "same_triangles_alone": own["roughness_same_triangles_hc"],
+            "reaction_roughness": reaction_roughness(file, "momentum"),
+            "mean_collision_us": s["timing/mean_collision_us"],
+        }
+
+
+def write_rubbed(path, rows):
+    lines = ["Worst depth in mm; roughness of the force over that of the tissue alone, and the same of the triangles that collide in"]
+    lines += ["three steps in a row; peak force; roughness of the reaction itself. fukuhara, response momentum, dt = 1 ms.", ""]
+    lines += ["| scenario | nodes | speed [m/s] | " + " | ".join(f"friction {mu:g}" for mu in FRICTIONS) + " |"]
+    lines += ["|---|---|---|" + "---|" * len(FRICTIONS)]
+    for key in dict.fromkeys((r["scenario"], r["nodes"], r["speed_m_s"]) for r in rows):
+        cells = []
+        for r in rows:
+            if (r["scenario"], r["nodes"], r["speed_m_s"]) != key:
+                continue
+            text = f"{r['depth_mm']:.2f}" + (f" [{r['inverted']}]" if r["inverted"] else "")
+            text += f"; {r['roughness'] / r['roughness_alone']:.1f}, {r['same_triangles'] / r['same_triangles_alone']:.1f}"
+            cells.append(f"{text}; {r['max_force_N']:.1f} N; {r['reaction_roughness']:.4f}")
+        lines.append("| " + " | ".join([*map(str, key), *cells]) + " |")
+    path.write_text("\n".join(lines) + "\n")
+
+
+def friction_table(arguments, folder, scratch):
+    rows = []
+    for config, (tool, resolutions, _) in PRESSES.items():
+        for nodes in resolutions if config == "spatula_press" else resolutions[:1]:
+            for speed in SPEEDS_M_S[:4]:
+                rows += rubbed(arguments, scratch, config, tool, nodes, speed)
+            print(f"{config}, {nodes} x {nodes} nodes: done", flush=True)
+    write(folder / "friction.csv", rows)
+    write_rubbed(folder / "friction.md", rows)
+    print(f"written: {folder.relative_to(ROOT)}/friction.csv, friction.md")
 
 
 def scene(arguments, folder, name, duration, ground, size, start, segments):
@@ -207,11 +269,14 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/fissure")
     parser.add_argument("-j", "--jobs", type=int, default=2)
+    parser.add_argument("--friction", action="store_true", help="only the table of friction at the tool")
     arguments = parser.parse_args()
     folder = ROOT / "results/response"
     folder.mkdir(parents=True, exist_ok=True)
     presses, bodies = [], []
     with tempfile.TemporaryDirectory() as scratch:
+        if arguments.friction:
+            return friction_table(arguments, folder, pathlib.Path(scratch))
         bodies += scenes(arguments, pathlib.Path(scratch))
         write(folder / "scenes.csv", bodies)
         for config, (tool, resolutions, steps) in PRESSES.items():

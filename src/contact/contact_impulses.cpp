@@ -99,7 +99,7 @@ void ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Ve
   Vec3 slip_m = point_m - push.stuck_at_m;
   slip_m -= slip_m.dot(contact.normal) * contact.normal;
   Vec3 friction_kg_m = push.friction_kg_m - slip_m / push.mobility;
-  const double most_kg_m = contact.friction * push.kg_m;
+  const double most_kg_m = contact.friction * std::max(push.kg_m, 0.0);  // rounding may leave less than none
   const double wanted_kg_m = friction_kg_m.norm();
   if (wanted_kg_m > most_kg_m) friction_kg_m *= most_kg_m / wanted_kg_m;
   move(contact, Vec3(friction_kg_m - push.friction_kg_m), inverse_masses, of_vertices);

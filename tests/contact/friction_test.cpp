@@ -81,6 +81,27 @@ TEST_F(FrictionTest, OfOverlapThatGrewOnlyTheGrowthRubs) {
   expectNear(motion_m(), Vec3(-0.0001, 0.0002, 0));
 }
 
+// What is forgotten of a push may round to a little more than it was.
+TEST(Friction, APushForgottenAsAWholeLeavesNumbers) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> spread(0.1, 0.4);
+  for (int trial = 0; trial < 2000; ++trial) {
+    const double a = spread(random), b = spread(random);
+    const std::vector<Vec3> before(3, Vec3(0, -0.001 * spread(random), 0));
+    std::vector<Vec3> positions = before;
+    const ContactConstraint contact{.vertices = {0, 1, 2},
+                                    .weights = {a, b, 1 - a - b},
+                                    .position_m = Vec3::Zero(),
+                                    .normal = Vec3(0, 1, 0),
+                                    .friction = 0.5};
+    ContactImpulses impulses(3, 30);
+    impulses.apply(std::vector{contact}, std::vector<double>(3, 100 * spread(random)), {{}}, {{}}, before,
+                   positions);
+    for (const Vec3& motion_m : impulses.motion_m()) ASSERT_NEAR(motion_m.norm(), 0, kExact);
+    ASSERT_NEAR(impulses.total(std::vector<double>(3, 1)).norm(), 0, kExact);
+  }
+}
+
 // Put into a groove of two faces, at rest: pushed out of both, and at rest still.
 TEST_F(FrictionTest, OldOverlapInAGrooveThrowsNothing) {
   constraints.push_back(constraints[0]);
