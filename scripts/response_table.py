@@ -26,6 +26,7 @@ PRESSES = {  # scenario: (tool, nodes along an edge, steps)
 }
 RESPONSES = ["none", "momentum"]
 FRICTIONS = [0, 0.1, 0.3, 0.5]  # Coulomb's, tool and tissue together
+GROUND_FRICTIONS = [0.25, 1]  # the same of ground and tissue; 0.25: as in the files
 TISSUE_FRICTION = 0.5  # dynamic_friction of both press scenarios
 WEIGHT_N = 0.981
 SCENE = """format: 1
@@ -121,9 +122,10 @@ def press(arguments, folder, config, tool, nodes, step, speed):
         }
 
 
-def rubbed(arguments, folder, config, tool, nodes, speed):
+def rubbed(arguments, folder, config, tool, nodes, ground, speed):
     """Presses with friction at the tool, dt = 1 ms; the tissue alone sticks in any case."""
     settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
+    settings.append(f"ground.friction={ground / TISSUE_FRICTION}")
     if config == "spatula_press":
         settings.append("pipelines.raycast.response=momentum")  # an entry of the file, not run: it must allow for friction
     text = press_text(config, RESPONSES[1:])
@@ -136,6 +138,7 @@ def rubbed(arguments, folder, config, tool, nodes, speed):
         yield {
             "scenario": config,
             "nodes": f"{nodes} x {nodes}",
+            "ground_friction": ground,
             "speed_m_s": speed,
             "friction": friction,
             "status": s["status"],
@@ -154,12 +157,13 @@ def rubbed(arguments, folder, config, tool, nodes, speed):
 def write_rubbed(path, rows):
     lines = ["Worst depth in mm; roughness of the force over that of the tissue alone, and the same of the triangles that collide in"]
     lines += ["three steps in a row; peak force; roughness of the reaction itself. fukuhara, response momentum, dt = 1 ms.", ""]
-    lines += ["| scenario | nodes | speed [m/s] | " + " | ".join(f"friction {mu:g}" for mu in FRICTIONS) + " |"]
-    lines += ["|---|---|---|" + "---|" * len(FRICTIONS)]
-    for key in dict.fromkeys((r["scenario"], r["nodes"], r["speed_m_s"]) for r in rows):
+    lines += ["| scenario | nodes | friction at the ground | speed [m/s] | " + " | ".join(f"{mu:g} at the tool" for mu in FRICTIONS) + " |"]
+    lines += ["|---|---|---|---|" + "---|" * len(FRICTIONS)]
+    keys = ("scenario", "nodes", "ground_friction", "speed_m_s")
+    for key in dict.fromkeys(tuple(r[k] for k in keys) for r in rows):
         cells = []
         for r in rows:
-            if (r["scenario"], r["nodes"], r["speed_m_s"]) != key:
+            if tuple(r[k] for k in keys) != key:
                 continue
             text = f"{r['depth_mm']:.2f}" + (f" [{r['inverted']}]" if r["inverted"] else "")
             text += f"; {r['roughness'] / r['roughness_alone']:.1f}, {r['same_triangles'] / r['same_triangles_alone']:.1f}"
@@ -172,8 +176,9 @@ def friction_table(arguments, folder, scratch):
     rows = []
     for config, (tool, resolutions, _) in PRESSES.items():
         for nodes in resolutions if config == "spatula_press" else resolutions[:1]:
-            for speed in SPEEDS_M_S[:4]:
-                rows += rubbed(arguments, scratch, config, tool, nodes, speed)
+            for ground in GROUND_FRICTIONS:
+                for speed in SPEEDS_M_S[:4]:
+                    rows += rubbed(arguments, scratch, config, tool, nodes, ground, speed)
             print(f"{config}, {nodes} x {nodes} nodes: done", flush=True)
     write(folder / "friction.csv", rows)
     write_rubbed(folder / "friction.md", rows)
