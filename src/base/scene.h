@@ -16,6 +16,7 @@ struct SceneBody {
       rest;  ///< in the scene's frame; closed, outward faces; indices count from this body's first vertex
   int first_vertex = 0;  ///< of this body in the concatenated vertex arrays of a State
   int first_face = 0;
+  std::vector<int> fixed_vertices = {};  ///< of this body, ascending: they never move
 };
 
 /// A rigid, kinematic tool, in its own frame.

@@ -40,7 +40,7 @@ struct State {
   double time_s = 0;      ///< step x dt
   std::vector<Vec3> positions_m;
   std::vector<Vec3> velocities_m_s;  ///< the engine's own; response none leaves them out of its displacement
-  std::vector<double> masses_kg;     ///< constant over a run
+  std::vector<double> masses_kg;     ///< constant over a run; 0: fixed, has no share in it
   std::vector<ToolState> tools;
 
   std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes

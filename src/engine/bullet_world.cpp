@@ -60,7 +60,8 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
   info.m_sparsesdf.setDefaultVoxelsz(static_cast<btScalar>(pipeline.sdfVoxel_m()));
   info.m_sparsesdf.Reset();  // a new voxel size applies from here on
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    bodies_.push_back(makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline));
+    bodies_.push_back(makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline,
+                                   scene.bodies[b].fixed_vertices));
     world_->addSoftBody(bodies_.back().get());
   }
 }

@@ -17,6 +17,7 @@ class PrescribedPipeline : public Pipeline {
       : world_(context.world),
         sides_(context.scene, margins(context.scenario)),
         held_(context.scene.vertexCount()),
+        inverse_masses_(world_.inverseMasses()),
         predicted_m_(context.scene.vertexCount()),
         before_m_(context.scene.vertexCount()) {
     world_.readPositions(before_m_);
@@ -63,7 +64,7 @@ class PrescribedPipeline : public Pipeline {
     sides_.find(predicted_m_, before_m_, now_, before_, {}, reached_);
     for (const ContactConstraint& contact : reached_) {
       std::optional<Held>& held = held_[contact.vertices[0]];
-      if (held) continue;
+      if (held || !(inverse_masses_[contact.vertices[0]] > 0)) continue;
       const Pose& pose = now_[contact.tool].pose;
       const Vec3& point_m = predicted_m_[contact.vertices[0]];
       const double gap_m = (point_m - contact.position_m).dot(contact.normal) - contact.target_m;
@@ -97,6 +98,7 @@ class PrescribedPipeline : public Pipeline {
   BulletWorld& world_;
   VertexSides sides_;
   std::vector<std::optional<Held>> held_;  ///< per vertex
+  std::vector<double> inverse_masses_;     ///< as the scene has them; 0: fixed, not to be held
   std::vector<Vec3> predicted_m_;
   std::vector<Vec3> before_m_;  ///< as the last step left it
   std::vector<ContactConstraint> reached_;

@@ -62,6 +62,19 @@ std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
   return laws;
 }
 
+std::vector<double> masses(const Scene& scene, const std::vector<double>& inverse_masses) {
+  std::vector<double> masses_kg;
+  for (const double inverse_mass : inverse_masses) masses_kg.push_back(1 / inverse_mass);
+  for (const SceneBody& body : scene.bodies)
+    for (const int vertex : body.fixed_vertices) masses_kg[body.first_vertex + vertex] = 0;
+  for (std::size_t v = 0; v < masses_kg.size(); ++v) {
+    if (!std::isfinite(masses_kg[v]) || !std::isfinite(inverse_masses[v]))
+      throw InputError("bodies: the mass of a vertex or its inverse is no number in precision " +
+                       enginePrecision() + ", expected another mass_kg");
+  }
+  return masses_kg;
+}
+
 class BulletSimulation : public Simulation {
  public:
   BulletSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
@@ -78,12 +91,7 @@ class BulletSimulation : public Simulation {
     patch_.clear();
     state_.positions_m.resize(scene.vertexCount());
     state_.velocities_m_s.resize(scene.vertexCount());
-    for (const double inverse_mass : world_->inverseMasses()) {
-      if (!(inverse_mass > 0 && std::isfinite(inverse_mass)))
-        throw InputError("bodies: the mass of a vertex or its inverse is no number in precision " +
-                         enginePrecision() + ", expected another mass_kg");
-      state_.masses_kg.push_back(inverse_mass > 0 ? 1 / inverse_mass : 0);
-    }
+    state_.masses_kg = masses(scene, world_->inverseMasses());
     state_.node_states.assign(scene.nodeCount(), NodeState::free);
     state_.forces.assign(scenario.force.size(), ForceSample{});
     state_.tool_forces_N.assign(scenario.force.size() * scene.tools.size(), Vec3::Zero());

@@ -62,6 +62,19 @@ void appendBendingLinks(btSoftBody& body, int distance) {
   }
 }
 
+/// Before the pose is set, which fixed vertices hold. Links between two of them do nothing, and Bullet would
+/// divide by their mobility.
+void fixVertices(btSoftBody& body, std::span<const int> vertices) {
+  if (vertices.empty()) return;
+  for (const int vertex : vertices) body.setMass(vertex, 0);
+  int kept = 0;
+  for (int i = 0; i < body.m_links.size(); ++i) {
+    const btSoftBody::Link& link = body.m_links[i];
+    if (link.m_n[0]->m_im > 0 || link.m_n[1]->m_im > 0) body.m_links[kept++] = link;
+  }
+  body.m_links.resize(kept);
+}
+
 btSoftBody::eAeroModel::_ aeroModel(const std::string& name) {
   const auto& table = catalog().aero_models;
   const auto found =
@@ -123,7 +136,8 @@ void makeClusters(btSoftBody& body, const ClusterSettings& clusters, int least_i
 }  // namespace
 
 std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const TriangleMesh& rest,
-                                         const BodySettings& settings, const PipelineSettings& pipeline) {
+                                         const BodySettings& settings, const PipelineSettings& pipeline,
+                                         std::span<const int> fixed_vertices) {
   std::vector<btVector3> vertices;
   for (const Vec3& v : rest.vertices_m) vertices.push_back(toBullet(v));
   auto body =
@@ -139,6 +153,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const 
   body->m_cfg.collisions = collisionFlags(settings, pipeline);
   body->getCollisionShape()->setMargin(scalar(settings.margin_m));
   body->setTotalMass(scalar(settings.mass_kg), settings.mass_from_faces);
+  fixVertices(*body, fixed_vertices);
   body->setPose(settings.pose_volume, settings.pose_frame);
   if (pipeline.usesClusters() || settings.soft_contact == "clusters")
     makeClusters(*body, settings.clusters, pipeline.leastClusterIterations());

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "mesh/check.h"
+#include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "motion/motion.h"
 #include "scenario/did_you_mean.h"
@@ -43,9 +44,22 @@ void select(const std::vector<std::string>& names, CheckedScenario& checked) {
   });
 }
 
+void checkFixed(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
+  const std::string where = file + ": bodies." + body.name + ".fixed";
+  for (std::size_t i = 0; i < body.fixed.size(); ++i) {
+    if (verticesIn(body.fixed[i], rest).empty())
+      throw InputError(where + "." + std::to_string(i) +
+                       " holds no vertex of the body as it is placed, expected at least one");
+  }
+  if (fixedVertices(body, rest).size() == rest.vertices_m.size())
+    throw InputError(where + " holds every vertex of the body, expected some that can move");
+}
+
 void checkBodies(const CheckedScenario& checked) {
   for (const BodySettings& body : checked.loaded.scenario.bodies) {
-    const std::vector<std::string> defects = findDefects(placeBody(body));
+    const TriangleMesh rest = placeBody(body);
+    const std::vector<std::string> defects = findDefects(rest);
+    checkFixed(checked.file.string(), body, rest);
     if (defects.empty()) continue;
     std::string all;
     for (const std::string& defect : defects) all += (all.empty() ? "" : "; ") + defect;

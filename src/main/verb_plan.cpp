@@ -9,6 +9,7 @@
 #include "main/run_plan.h"
 #include "main/scenario_options.h"
 #include "main/verbs.h"
+#include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "motion/motion.h"
 
@@ -47,7 +48,10 @@ void printScene(const CheckedScenario& checked) {
   for (const BodySettings& body : scenario.bodies) {
     const TriangleMesh surface = placeBody(body);
     std::cout << "  body " << body.name << ": " << surface.faces.size() << " triangles, "
-              << surface.vertices_m.size() << " vertices\n";
+              << surface.vertices_m.size() << " vertices";
+    const std::size_t fixed = fixedVertices(body, surface).size();
+    if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
+    std::cout << "\n";
   }
   for (const ToolSettings& tool : scenario.tools) {
     std::cout << "  tool " << tool.name << ": "

@@ -13,10 +13,11 @@ void BodyProbe::declare(RecordLayout& layout) {
                                .long_name = "kinetic energy of all tissue vertices",
                                .axes = {}});
   layout.addAxis(xyzAxis());
-  momentum_column_ = layout.add({.name = "momentum",
-                                 .units = "kg m s-1",
-                                 .long_name = "linear momentum of all tissue vertices, scene frame",
-                                 .axes = {"xyz"}});
+  momentum_column_ =
+      layout.add({.name = "momentum",
+                  .units = "kg m s-1",
+                  .long_name = "linear momentum of all tissue vertices, scene frame",
+                  .axes = {"xyz"}});
   RecordAxis body_axis{"body", {}};
   for (const SceneBody& body : bodies_) body_axis.labels.push_back(body.name);
   layout.addAxis(body_axis);
@@ -42,6 +43,10 @@ void BodyProbe::sample(const State& state, RecordRow& row) {
   }
 }
 
-void BodyProbe::summarize(Summary&) const {}
+void BodyProbe::summarize(Summary& summary) const {
+  long long fixed = 0;
+  for (const SceneBody& body : bodies_) fixed += static_cast<long long>(body.fixed_vertices.size());
+  if (fixed > 0) summary.push_back({"fixed_vertices", fixed});
+}
 
 }  // namespace fissure

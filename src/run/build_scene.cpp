@@ -1,6 +1,7 @@
 #include "run/build_scene.h"
 
 #include "contact/grid_nodes.h"
+#include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "mesh/primitives.h"
 
@@ -13,6 +14,7 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
                             .rest = placeBody(body),
                             .first_vertex = scene.vertexCount(),
                             .first_face = scene.faceCount()});
+    scene.bodies.back().fixed_vertices = fixedVertices(body, scene.bodies.back().rest);
   }
   for (const ToolSettings& tool : scenario.tools) {
     scene.tools.push_back(

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -84,13 +85,29 @@ struct ClusterSettings {
   bool operator==(const ClusterSettings&) const = default;
 };
 
+/// An upright box in the scene's frame, its bounds included.
+struct BoxRegion {
+  Vec3 min_m = Vec3::Zero();
+  Vec3 max_m = Vec3::Zero();
+
+  bool operator==(const BoxRegion&) const = default;
+};
+
+/// Vertices of a body that never move, wherever they are at time zero: exactly one of the two.
+struct FixedRegion {
+  std::optional<double> below_m;  ///< those at this height or below it
+  std::optional<BoxRegion> box;   ///< those inside
+
+  bool operator==(const FixedRegion&) const = default;
+};
+
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
   std::variant<SphereShape, BoxShape, TrianglesShape> shape;
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
-  double mass_kg = 0.1;                 ///< of the whole body, > 0
+  double mass_kg = 0.1;                 ///< of the whole body, > 0; the share of fixed vertices never moves
   bool mass_from_faces = false;  ///< false: the same mass for each vertex; true: by the area of its faces
   double margin_m = 0.0005;      ///< collision margin, > 0; Bullet's own default is 0.25
   int bending_distance = 2;      ///< links between vertices this many links apart; 0: none, else 2..5
@@ -99,6 +116,7 @@ struct BodySettings {
   bool pose_frame = true;        ///< setPose(., frame): remember the rest shape, for pose matching
   /// What two soft bodies do when they meet, if both say the same: a name in catalog().soft_contacts.
   std::string soft_contact = "none";
+  std::vector<FixedRegion> fixed;  ///< an organ on its bed; each must hold at least one vertex, all not all
   MaterialSettings material;
   SolverSettings solver;
   ClusterSettings clusters;

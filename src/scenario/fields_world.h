@@ -78,6 +78,18 @@ void describe(Io& io, ClusterSettings& c) {
 }
 
 template <class Io>
+void describe(Io& io, BoxRegion& r) {
+  io.required("min_m", r.min_m);
+  io.required("max_m", r.max_m);
+}
+
+template <class Io>
+void describe(Io& io, FixedRegion& r) {
+  io.field("below_m", r.below_m);
+  io.field("box", r.box);
+}
+
+template <class Io>
 void describe(Io& io, BodySettings& b) {
   io.required("name", b.name);
   io.tagged("shape", b.shape, catalog().body_shapes);
@@ -91,6 +103,7 @@ void describe(Io& io, BodySettings& b) {
   io.field("pose_volume", b.pose_volume);
   io.field("pose_frame", b.pose_frame);
   io.choice("soft_contact", b.soft_contact, catalog().soft_contacts);
+  io.field("fixed", b.fixed);
   io.field("material", b.material);
   io.field("solver", b.solver);
   io.field("clusters", b.clusters);

@@ -75,6 +75,18 @@ void checkClusters(Checker check, const ClusterSettings& c) {
   check.between("matching", c.matching, 0, 1);
 }
 
+void checkFixed(Checker check, const FixedRegion& region) {
+  check.require(region.below_m.has_value() != region.box.has_value(), "",
+                "expected exactly one of below_m and box");
+  if (region.below_m) check.finite("below_m", *region.below_m);
+  if (!region.box) return;
+  Checker box = check.in("box");
+  box.finite("min_m", region.box->min_m);
+  box.finite("max_m", region.box->max_m);
+  box.require(!(region.box->min_m.array() > region.box->max_m.array()).any(), "min_m",
+              "is above max_m, expected at most max_m in each direction");
+}
+
 }  // namespace
 
 void checkBody(Checker check, const BodySettings& body) {
@@ -91,6 +103,8 @@ void checkBody(Checker check, const BodySettings& body) {
   material.between("angular_stiffness", body.material.angular_stiffness, 0, 1);
   material.between("volume_stiffness", body.material.volume_stiffness, 0, 1);
   check.oneOf("soft_contact", body.soft_contact, catalog().soft_contacts);
+  for (std::size_t i = 0; i < body.fixed.size(); ++i)
+    checkFixed(check.in("fixed." + std::to_string(i)), body.fixed[i]);
   checkSolver(check.in("solver"), body.solver);
   checkClusters(check.in("clusters"), body.clusters);
 }

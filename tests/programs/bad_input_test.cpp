@@ -55,6 +55,21 @@ INSTANTIATE_TEST_SUITE_P(
                     BadText{"broken_yaml", "[0, 0.062, 0]", "[0, 0.062", "s.yaml:"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
+TEST(BadRelation, FixedRegionsThatHoldNothingOrAll) {
+  const Folder folder;
+  const auto text = [](const std::string& fixed) {
+    return with(pressScenario(), "    mass_kg: 0.1", "    fixed: " + fixed + "\n    mass_kg: 0.1");
+  };
+  folder.write("none.yaml", text("[{below_m: 0.001}, {below_m: -0.001}]"));
+  expectRefused(runFissure(folder, {"run", "none.yaml"}), "bodies.sphere.fixed.1 holds no vertex");
+  folder.write("all.yaml", text("[{below_m: 1}]"));
+  expectRefused(runFissure(folder, {"validate", "all.yaml"}), "bodies.sphere.fixed holds every vertex");
+  folder.write("both.yaml", text("[{below_m: 0, box: {min_m: [0, 0, 0], max_m: [1, 1, 1]}}]"));
+  expectRefused(runFissure(folder, {"run", "both.yaml"}), "both.yaml:10: bodies.sphere.fixed.0 expected");
+  folder.write("key.yaml", text("[{box: {min_m: [0, 0, 0], max: [1, 1, 1]}}]"));
+  expectRefused(runFissure(folder, {"run", "key.yaml"}), "key.yaml:10: unknown key \"max\"");
+}
+
 TEST(BadRelation, FrictionWithoutAForce) {
   const Folder folder;
   folder.write("s.yaml", with(pressScenario("[{pipeline: raycast}]"), "nodes:", "friction: 0.3\n    nodes:"));

@@ -66,8 +66,11 @@ TEST(Verbs, PlanShowsStagesAndWritesNothing) {
         "settle: 5 steps", "simulate: 30 steps", "detect: 32 tool nodes", "hc (hunt_crossley)",
         "snapshots: 4;", "frames: 2 of 64 x 48 px; 18.4 kB", "penetration_depth", "result: about "})
     EXPECT_NE(plan.out.find(text), std::string::npos) << text << "\n" << plan.out;
+  const Outcome fixed =
+      runFissure(folder, {"plan", "s.yaml", "--set", "bodies.sphere.fixed=[{below_m: 0.01}]"});
+  EXPECT_NE(fixed.out.find("32 triangles, 18 vertices, 5 of them fixed"), std::string::npos) << fixed.out;
   const Outcome bare = runFissure(folder, {"plan", "s.yaml", "--no-frames", "--pipeline", "default"});
-  for (const char* text : {"frames", "detect", "fukuhara"})
+  for (const char* text : {"frames", "detect", "fukuhara", "fixed"})
     EXPECT_EQ(bare.out.find(text), std::string::npos) << text << "\n" << bare.out;
   EXPECT_EQ(folder.names(), std::vector<std::string>{"s.yaml"});
 }

@@ -245,6 +245,23 @@ TEST(Validate, TriangleArrays) {
   });
 }
 
+TEST(Validate, FixedRegions) {
+  const BoxRegion box{Vec3(0, 0, 0), Vec3(1, 1, 1)};
+  const auto with = [](const FixedRegion& region) {
+    return [region](Scenario& s) { s.bodies[0].fixed = {{0.5, {}}, region}; };
+  };
+  Scenario good = full();
+  good.bodies[0].fixed = {{0.5, {}}, {{}, box}, {{}, BoxRegion{Vec3(1, 1, 1), Vec3(1, 1, 1)}}};
+  EXPECT_TRUE(validate(good).empty());
+  expectProblems({
+      {"bodies.ball.fixed.1", with({})},
+      {"bodies.ball.fixed.1", with({0.1, box})},
+      {"bodies.ball.fixed.1.below_m", with({nan, {}})},
+      {"bodies.ball.fixed.1.box.min_m", with({{}, BoxRegion{Vec3(0, 1.1, 0), Vec3(1, 1, 1)}})},
+      {"bodies.ball.fixed.1.box.max_m", with({{}, BoxRegion{Vec3(0, 0, 0), Vec3(1, nan, 1)}})},
+  });
+}
+
 TEST(Validate, Scripts) {
   expectProblems({
       {"tools.1.name", [](Scenario& s) { s.tools[1].name = "blade"; }},

@@ -31,6 +31,7 @@ const char* const every_field =
     "    pose_volume: false\n"
     "    pose_frame: false\n"
     "    soft_contact: vertices\n"
+    "    fixed: [{below_m: -0.01}, {box: {min_m: [0, 1, 2], max_m: [3, 4, 5]}}]\n"
     "    material: {linear_stiffness: 0.1, angular_stiffness: 0.2, volume_stiffness: 0.3}\n"
     "    solver: {velocity_correction: 0.9, damping: 0.1, drag: 0.2, lift: 0.3, pressure: -4,\n"
     "             volume_conservation: 0.5, dynamic_friction: 0.6, pose_matching: 0.7, rigid_hardness: 0.8,\n"
@@ -138,6 +139,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                 false,
                                 false,
                                 "vertices",
+                                ball.fixed,
                                 ball.material,
                                 ball.solver,
                                 ball.clusters}));
@@ -151,8 +153,9 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
             (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, {}, {}, 30, 0.005, 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[1].precision, "f32");
-  EXPECT_EQ(s.pipelines[2],
-            (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
+  EXPECT_EQ(
+      s.pipelines[2],
+      (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
                 {"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
@@ -171,6 +174,8 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   ASSERT_EQ(s.tools.size(), 3u);
   EXPECT_EQ(s.tools[0].nodes.resolution, (std::array<int, 2>{9, 5}));
   EXPECT_EQ(s.tools[0].friction, 0.15);
+  EXPECT_EQ(s.bodies[0].fixed,
+            (std::vector<FixedRegion>{{-0.01, {}}, {{}, BoxRegion{{0, 1, 2}, {3, 4, 5}}}}));
   const auto& script = std::get<ScriptMotion>(s.tools[0].motion);
   EXPECT_EQ(script.start_orientation, Quat(0.8, 0.6, 0, 0));  // Eigen's order: w, x, y, z
   ASSERT_EQ(script.segments.size(), 4u);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "base/geometry.h"
+#include "scenario/bodies.h"
+
+namespace fissure {
+
+/// Indices of the vertices of `rest` (a body as placeBody makes it) inside a region, ascending.
+std::vector<int> verticesIn(const FixedRegion& region, const TriangleMesh& rest);
+
+/// Those inside any of the body's `fixed` regions, ascending, each once.
+std::vector<int> fixedVertices(const BodySettings& body, const TriangleMesh& rest);
+
+}  // namespace fissure
