@@ -24,7 +24,7 @@ void expectThreeSamples(const std::string& text) {
 TEST(AxisLines, MayBeDividedAndEndAsTheyLike) {
   expectThreeSamples("1,2,3\n-1,-2,-3\n10,20,30\n");
   expectThreeSamples("1,2,3,\n-1,-2,-3,\n10,20,30,\n");  // trailing delimiters
-  expectThreeSamples("1 2 3\r\n-1\t-2  -3\r\n 10 +20 3e1");
+  expectThreeSamples("1 2 3\r\n-1 -2  -3\r\n 10 +20 3e1");
   expectThreeSamples("\xEF\xBB\xBF\n1;2;3;;\n\n-1;-2;-3\n10;20;30\n\n");
 }
 
