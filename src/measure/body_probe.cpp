@@ -13,11 +13,10 @@ void BodyProbe::declare(RecordLayout& layout) {
                                .long_name = "kinetic energy of all tissue vertices",
                                .axes = {}});
   layout.addAxis(xyzAxis());
-  momentum_column_ =
-      layout.add({.name = "momentum",
-                  .units = "kg m s-1",
-                  .long_name = "linear momentum of all tissue vertices, scene frame",
-                  .axes = {"xyz"}});
+  momentum_column_ = layout.add({.name = "momentum",
+                                 .units = "kg m s-1",
+                                 .long_name = "linear momentum of all tissue vertices, scene frame",
+                                 .axes = {"xyz"}});
   RecordAxis body_axis{"body", {}};
   for (const SceneBody& body : bodies_) body_axis.labels.push_back(body.name);
   layout.addAxis(body_axis);

@@ -1,7 +1,9 @@
 // The claims of README on the shipped configs: what holds, what does not.
 #include <gtest/gtest.h>
 
+#include "base/geometry.h"
 #include "program.h"
+#include "store/read_series.h"
 #include "store/result_file.h"
 
 namespace fissure::programs {
@@ -76,6 +78,43 @@ TEST(Claims, OnALargePlateTheTunedDefaultHoldsSlowAndFailsFast) {
   const ResultInfo fast = press("plate_press.yaml", "plate", "10", 16);
   EXPECT_GT(quantity(fast, "default_tuned", "max_penetration_depth_m"), 0.001);
   EXPECT_LE(quantity(fast, "fukuhara", "max_penetration_depth_m"), 0.0001);
+}
+
+/// Mean height of the tissue in each snapshot of the full method.
+std::vector<double> heights_m(const std::filesystem::path& result) {
+  const SeriesData positions = readSeries(result, "/pipelines/fukuhara/positions");
+  const std::size_t vertices = positions.shape.at(1);
+  std::vector<double> heights(positions.shape.at(0), 0);
+  for (std::size_t s = 0; s < heights.size(); ++s) {
+    for (std::size_t v = 0; v < vertices; ++v)
+      heights[s] += positions.values.at(3 * (s * vertices + v) + 1) / static_cast<double>(vertices);
+  }
+  return heights;
+}
+
+// Two plates squeeze a sphere and rise by 60 mm: what they rub carries its weight, and for good. Without
+// friction it stays on the ground.
+TEST(Claims, TwoPlatesWithFrictionLiftASphereAndHoldIt) {
+  const Folder folder;
+  std::vector<std::string> words = {"run",         FISSURE_SOURCE_DIR "/configs/lift_two_plates.yaml",
+                                    "-o",          "out.h5",
+                                    "--force",     "--no-frames",
+                                    "--no-expect", "--pipeline",
+                                    "fukuhara"};
+  ASSERT_EQ(runFissure(folder, words).code, 0);
+  const std::vector<double> held_m = heights_m(folder / "out.h5");
+  const std::size_t last = held_m.size() - 1;
+  EXPECT_NEAR(held_m[last] - held_m[0], 0.06, 0.0005);
+  EXPECT_NEAR(held_m[last], held_m[last - 30], 1e-6) << "held for 0.3 s";
+  const SeriesData reaction = readSeries(folder / "out.h5", "/pipelines/fukuhara/reaction_force");
+  const std::size_t rows = 300;
+  Vec3 mean_N = Vec3::Zero();
+  for (std::size_t i = reaction.values.size() - 3 * rows; i < reaction.values.size(); ++i)
+    mean_N[static_cast<int>(i % 3)] += reaction.values[i] / rows;
+  EXPECT_NEAR((mean_N - Vec3(0, -0.981, 0)).norm(), 0, 0.01 * 0.981);
+  words.insert(words.end(), {"--set", "tools.left.friction=0", "--set", "tools.right.friction=0"});
+  ASSERT_EQ(runFissure(folder, words).code, 0);
+  EXPECT_LT(heights_m(folder / "out.h5").back(), 0.035);
 }
 
 // On 128 triangles single vertices slip in between nodes 5 mm apart before any node has contact.
