@@ -17,6 +17,7 @@ struct SceneBody {
   int first_vertex = 0;  ///< of this body in the concatenated vertex arrays of a State
   int first_face = 0;
   std::vector<int> fixed_vertices = {};  ///< of this body, ascending: they never move
+  std::vector<std::string> repairs;      ///< what was repaired of its file's surface, a line each
 };
 
 /// A rigid, kinematic tool, in its own frame.

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "base/error.h"
 #include "mesh/check.h"
+#include "mesh/file_surface.h"
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "motion/motion.h"
+#include "process/apart.h"
 #include "scenario/did_you_mean.h"
 
 namespace fissure {
@@ -55,17 +56,66 @@ void checkFixed(const std::string& file, const BodySettings& body, const Triangl
     throw InputError(where + " holds every vertex of the body, expected some that can move");
 }
 
-void checkBodies(const CheckedScenario& checked) {
-  for (const BodySettings& body : checked.loaded.scenario.bodies) {
-    const TriangleMesh rest = placeBody(body);
-    const std::vector<std::string> defects = findDefects(rest);
-    checkFixed(checked.file.string(), body, rest);
-    if (defects.empty()) continue;
-    std::string all;
-    for (const std::string& defect : defects) all += (all.empty() ? "" : "; ") + defect;
-    throw InputError(checked.file.string() + ": bodies." + body.name + ".shape: " + all +
-                     ", expected a closed surface with outward faces");
+std::vector<std::string> spoiling(const std::vector<Defect>& defects) {
+  std::vector<std::string> texts;
+  for (const Defect& defect : defects)
+    if (spoilsBody(defect.kind)) texts.push_back(defect.text);
+  return texts;
+}
+
+/// All there is to say about the surface of a file, a line each.
+void noteSurface(const FileSurface& surface, const std::string& path, std::vector<std::string>& notes) {
+  const auto note = [&](const std::string& text) { notes.push_back(path + ": " + text); };
+  if (!surface.repairs.empty())
+    for (const Defect& defect : surface.found) note("in the file " + defect.text);
+  for (const std::string& repair : surface.repairs) note("repaired, " + repair);
+  for (const Defect& defect : surface.left) note(defect.text);
+}
+
+/// What a body cannot be simulated with. `notes` take what can be said besides.
+std::vector<std::string> defectsOf(const BodySettings& body, const std::string& path,
+                                   const std::filesystem::path& directory, std::vector<std::string>& notes) {
+  const auto* shape = std::get_if<FileShape>(&body.shape);
+  if (!shape) return findDefects(placeBody(body, directory));
+  // Assimp may crash on a damaged file, or never end.
+  tryReading(directory / shape->file, [&] { loadSurface(*shape, directory); });
+  const FileSurface surface = loadSurface(*shape, directory);
+  noteSurface(surface, path, notes);
+  return spoiling(surface.left);
+}
+
+/// Adds what is wrong with a body's surface to `all`, and line by line to `lines`.
+void reportDefects(const BodySettings& body, const std::string& path, const std::vector<std::string>& defects,
+                   std::string& all, std::vector<std::string>& lines) {
+  const std::string expected = "expected a closed surface with outward faces";
+  std::string line = path;
+  line.append(": cannot be simulated, ").append(expected);
+  all.append(all.empty() ? "" : "; ").append(path).append(": ");
+  for (const std::string& defect : defects) {
+    if (!std::holds_alternative<FileShape>(body.shape))
+      lines.push_back(std::string(path).append(": ").append(defect));
+    all.append(&defect == &defects.front() ? "" : "; ").append(defect);
   }
+  lines.push_back(std::move(line));
+  all.append(", ").append(expected);
+}
+
+void checkBodies(CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  std::string all;
+  std::vector<std::string> lines;
+  for (const BodySettings& body : scenario.bodies) {
+    const std::string path = "bodies." + body.name + ".shape";
+    const std::vector<std::string> defects = defectsOf(body, path, scenario.directory, checked.notes);
+    if (!defects.empty())
+      reportDefects(body, path, defects, all, lines);
+    else if (!body.fixed.empty())
+      checkFixed(checked.file.string(), body, placeBody(body, scenario.directory));
+  }
+  if (all.empty()) return;
+  lines.insert(lines.begin(), checked.notes.begin(), checked.notes.end());
+  for (std::string& line : lines) line.insert(0, checked.file.string() + ": ");
+  throw BadSurfaces(checked.file.string() + ": " + all, std::move(lines));
 }
 
 /// Seconds until the last tool stands still; reads every log.
@@ -79,7 +129,7 @@ double longestMotion_s(const Scenario& scenario) {
 }  // namespace
 
 CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection) {
-  CheckedScenario checked{file, loadScenario(file, parseOverrides(selection.overrides)), 0, 0};
+  CheckedScenario checked{file, loadScenario(file, parseOverrides(selection.overrides)), 0, 0, {}};
   Scenario& scenario = checked.loaded.scenario;
   select(selection.pipelines, checked);
   if (!selection.frames) scenario.record.frames.reset();

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "base/error.h"
 #include "scenario/load.h"
 
 namespace fissure {
@@ -17,16 +19,32 @@ struct Selection {
   bool expectations = true;
 };
 
+/// Surfaces that cannot be simulated: all that is wrong with them. what() says it in one line.
+class BadSurfaces : public InputError {
+ public:
+  BadSurfaces(const std::string& what, std::vector<std::string> lines)
+      : InputError(what), lines_(std::move(lines)) {}
+  const std::vector<std::string>& lines() const {
+    return lines_;
+  }  ///< one a kind of defect, and what was expected
+
+ private:
+  std::vector<std::string> lines_;
+};
+
 /// A scenario that can be simulated: everything that can be checked without simulating has been.
 struct CheckedScenario {
   std::filesystem::path file;
   LoadedScenario loaded;   ///< with the selection applied; `resolved` says so too
   double duration_s = 0;   ///< from time zero, also where the scenario leaves it to its motions
   std::int64_t steps = 0;  ///< recorded ones
+  /// What is odd about surfaces from files and was repaired of them, a line each:
+  /// "bodies.liver.shape: 57 sliver triangles (...)".
+  std::vector<std::string> notes;
 };
 
 /// Loads a scenario, applies `selection`, and checks what needs other files: surfaces of bodies, logs of
-/// replayed tools, the duration. Throws InputError.
+/// replayed tools, the duration. Meshes are read apart first. Throws InputError, BadSurfaces.
 CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection = {});
 
 }  // namespace fissure

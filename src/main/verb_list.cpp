@@ -15,7 +15,7 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 16> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 18> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
@@ -30,11 +30,13 @@ int listCatalog() {
                                         {"rates", tables.rates},
                                         {"deformations", tables.deformations},
                                         {"aero models", tables.aero_models},
-                                        {"soft contacts", tables.soft_contacts}}};
+                                        {"soft contacts", tables.soft_contacts},
+                                        {"length units", tables.length_units},
+                                        {"mesh repairs", tables.mesh_repairs}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";
     for (const CatalogEntry& entry : entries)
-      std::cout << "  " << std::left << std::setw(16) << entry.name << "  " << entry.description << "\n";
+      std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << entry.description << "\n";
   }
   return exit_good;
 }

@@ -46,13 +46,14 @@ void printScene(const CheckedScenario& checked) {
   std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
             << scenario.time.step_s << " s, " << scenario.pipelines.size() << " runs\n";
   for (const BodySettings& body : scenario.bodies) {
-    const TriangleMesh surface = placeBody(body);
+    const TriangleMesh surface = placeBody(body, scenario.directory);
     std::cout << "  body " << body.name << ": " << surface.faces.size() << " triangles, "
               << surface.vertices_m.size() << " vertices";
     const std::size_t fixed = fixedVertices(body, surface).size();
     if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
     std::cout << "\n";
   }
+  for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const ToolSettings& tool : scenario.tools) {
     std::cout << "  tool " << tool.name << ": "
               << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");

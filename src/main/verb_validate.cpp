@@ -15,8 +15,12 @@ int validateScenarios(const ScenarioOptions& options) {
   int code = exit_good;
   for (const std::string& file : options.files) {
     try {
-      checkScenario(file, options.selection());
+      const CheckedScenario checked = checkScenario(file, options.selection());
       std::cout << file << ": ok\n";
+      for (const std::string& note : checked.notes) std::cout << file << ": " << note << "\n";
+    } catch (const BadSurfaces& error) {
+      for (const std::string& line : error.lines()) std::cerr << oneLine(line) << "\n";
+      code = exit_usage;
     } catch (const InputError& error) {
       std::cerr << oneLine(error.what()) << std::endl;
       code = exit_usage;

@@ -7,11 +7,46 @@
 
 namespace fissure {
 
-/// What is wrong with a surface that must be closed, consistently oriented and outward; one line a defect
-/// with its count, e.g. "3 boundary edges (the surface is open)". Empty: none. Any mesh may be given, also
-/// one with indices out of range or without triangles. Faces that name a vertex twice, or one that does not
-/// exist, are reported and then left out of the edge checks; the sense (outward or inside out) is judged only
-/// where the surface is closed and consistent. Several closed shells are no defect.
+/// What can be wrong with a surface, in the order in which it is told.
+enum class DefectKind {
+  no_triangles,
+  index_out_of_range,
+  non_finite_vertices,
+  unreferenced_vertices,
+  duplicate_vertices,
+  degenerate_triangles,  ///< without area, and so without a normal
+  sliver_triangles,      ///< area below a millionth of the longest edge squared; the degenerate ones too
+  duplicate_faces,       ///< the same three corners again, in any order
+  boundary_edges,        ///< of one triangle
+  non_manifold_edges,    ///< of more than two triangles
+  inconsistent_edges,    ///< run through more than once in one direction
+  no_volume,
+  inside_out,
+  shells,  ///< pieces that share no vertex, where there are several
+  size,    ///< beyond reason
+};
+
+struct Defect {
+  DefectKind kind;
+  std::size_t count = 0;
+  std::string text;  ///< one line with the count, e.g. "3 boundary edges (the surface is open)"
+};
+
+/// All that is wrong with a surface but its size. Any mesh may be given, also one with indices out of range
+/// or without triangles. Faces that name a vertex twice, or one that does not exist, are counted and then
+/// left out of what is said about edges; the sense (outward or inside out) is judged only where the surface
+/// is closed and consistent, shell by shell: one that is turned inward is right as a cavity inside another.
+/// `unit_m`: metres in the vertices' unit.
+std::vector<Defect> inspectSurface(const TriangleMesh& mesh, double unit_m = 1);
+
+/// True for what a soft body cannot be simulated with: all but slivers and several shells.
+bool spoilsBody(DefectKind kind);
+
+/// True when a tool cannot be used at all: no triangles, bad vertices or indices, a size beyond reason,
+/// neighbours that disagree about the outside. One that is open can: it only has no inside.
+bool spoilsTool(DefectKind kind);
+
+/// The lines of those defects that spoil a soft body.
 std::vector<std::string> findDefects(const TriangleMesh& mesh);
 
 /// Enclosed volume of a closed, outward surface by the divergence theorem, m^3; negative when inside out.

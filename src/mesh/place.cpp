@@ -1,28 +1,38 @@
 #include "mesh/place.h"
 
+#include "mesh/file_surface.h"
 #include "mesh/primitives.h"
 
 namespace fissure {
 namespace {
 
-TriangleMesh makeShape(const SphereShape& sphere) {
+using Folder = std::filesystem::path;
+
+TriangleMesh makeShape(const SphereShape& sphere, const Folder&) {
   return makeSphere(sphere.radius_m, sphere.subdivisions);
 }
-TriangleMesh makeShape(const BoxShape& box) {
+TriangleMesh makeShape(const BoxShape& box, const Folder&) {
   return makeBox(box.size_m);
 }
-TriangleMesh makeShape(const TrianglesShape& given) {
+TriangleMesh makeShape(const TrianglesShape& given, const Folder&) {
   return {given.vertices_m, given.faces};
+}
+TriangleMesh makeShape(const FileShape& shape, const Folder& directory) {
+  return loadSurface(shape, directory).mesh;
 }
 
 }  // namespace
 
-TriangleMesh placeBody(const BodySettings& body) {
-  TriangleMesh mesh = std::visit([](const auto& shape) { return makeShape(shape); }, body.shape);
+TriangleMesh placeBody(const BodySettings& body, const Folder& directory) {
+  return placeBody(body,
+                   std::visit([&](const auto& shape) { return makeShape(shape, directory); }, body.shape));
+}
+
+TriangleMesh placeBody(const BodySettings& body, TriangleMesh shape) {
   // Written quaternions are rounded: without this a body would shrink or grow by the rounding.
   const Pose pose{body.position_m, body.orientation.normalized()};
-  for (Vec3& vertex : mesh.vertices_m) vertex = pose.toScene(vertex);
-  return mesh;
+  for (Vec3& vertex : shape.vertices_m) vertex = pose.toScene(vertex);
+  return shape;
 }
 
 }  // namespace fissure

@@ -29,7 +29,7 @@ void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
 class LogReader {
  public:
   LogReader(const ReplayMotion& settings, const std::filesystem::path& file)
-      : settings_(settings), to_m_(settings.position_unit == LengthUnit::mm ? 1e-3 : 1.0) {
+      : settings_(settings), to_m_(metres(settings.position_unit)) {
     if (settings.layout == LogLayout::axes) {
       table_ = std::make_unique<AxisLines>(file);
       position_columns_ = {0, 1, 2};

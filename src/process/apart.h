@@ -12,7 +12,8 @@ namespace fissure {
 /// A process that worked apart has crashed, or used up its time.
 class LostApart : public RunError {
  public:
-  explicit LostApart(pid_t process) : RunError("HDF5 crashes on it or never ends"), process_(process) {}
+  explicit LostApart(pid_t process)
+      : RunError("the library that reads it crashes or never ends"), process_(process) {}
   pid_t process() const { return process_; }
 
  private:
@@ -20,8 +21,8 @@ class LostApart : public RunError {
 };
 
 /// Does `work` in a process of its own, which dies with this one and leaves nothing behind but the files it
-/// has written: HDF5 1.10 may crash on damaged files, or loop for ever. Throws what `work` throws, as
-/// InputError or RunError, and LostApart when it crashed or took more than `most_s` of processor time.
+/// has written: HDF5 1.10 and Assimp may crash on damaged files, or loop for ever. Throws what `work` throws,
+/// as InputError or RunError, and LostApart when it crashed or took more than `most_s` of processor time.
 void doApart(const std::function<void()>& work, unsigned long most_s);
 
 /// Processor time, in seconds, in which a whole `file` is read or copied by far: 3 and one a megabyte, where

@@ -39,6 +39,15 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
+/// "body: repair; repair; other body: repair", or "".
+std::string repairsOf(const Scene& scene) {
+  std::string text;
+  for (const SceneBody& body : scene.bodies)
+    for (std::size_t i = 0; i < body.repairs.size(); ++i)
+      text += (text.empty() ? "" : "; ") + (i == 0 ? body.name + ": " : "") + body.repairs[i];
+  return text;
+}
+
 std::vector<std::string> frameText(const std::string& pipeline, const State& state,
                                    const RecordLayout& layout, const RecordRow& row) {
   std::vector<std::string> lines = {pipeline, format("t = %.3f s", state.time_s)};
@@ -149,6 +158,8 @@ RunStatus Run::execute(const Outputs& outputs) {
                     format(" (t = %g s)", state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);
+  if (const std::string repairs = repairsOf(scene_); !repairs.empty())
+    summary.push_back({"repairs", repairs});
   for (const SummaryValue& value : simulation_->counters()) summary.push_back(value);
   for (std::size_t t = 0; t < motions_.size(); ++t) {
     for (SummaryValue value : motions_[t]->summary()) {

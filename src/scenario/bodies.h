@@ -33,6 +33,29 @@ struct TrianglesShape {
   bool operator==(const TrianglesShape&) const = default;
 };
 
+enum class LengthUnit { m, mm, cm };
+
+/// How many metres one `unit` is.
+constexpr double metres(LengthUnit unit) {
+  return unit == LengthUnit::m ? 1.0 : unit == LengthUnit::cm ? 1e-2 : 1e-3;
+}
+
+/// A triangle surface from a file: STL, OBJ, PLY or OFF.
+struct FileShape {
+  std::string file;  ///< relative to the scenario's directory; its ending says the format
+  /// Of the file's numbers. No format states it, and a wrong one is off by a thousand: no default.
+  LengthUnit unit = LengthUnit::m;
+  /// Vertices no farther apart become one, >= 0; 0: only equal ones, which STL writes for each triangle anew.
+  double weld_tolerance_m = 0.0;
+  /// Names in catalog().mesh_repairs. They are done in the catalog's order, and only those; what they changed
+  /// is in the result's summary.
+  std::vector<std::string> repairs;
+  /// Triangles are split until no edge is longer, > 0; default: as in the file.
+  std::optional<double> max_edge_m;
+
+  bool operator==(const FileShape&) const = default;
+};
+
 /// Bullet's btSoftBody::Material, for all links of a body. Dimensionless, 0..1.
 struct MaterialSettings {
   double linear_stiffness = 1.0;   ///< m_kLST
@@ -104,7 +127,7 @@ struct FixedRegion {
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
-  std::variant<SphereShape, BoxShape, TrianglesShape> shape;
+  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape> shape;
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
   double mass_kg = 0.1;                 ///< of the whole body, > 0; the share of fixed vertices never moves

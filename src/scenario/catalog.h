@@ -32,6 +32,7 @@ struct Catalog {
   std::vector<CatalogEntry> length_units;
   std::vector<CatalogEntry> log_layouts;
   std::vector<CatalogEntry> device_frames;
+  std::vector<CatalogEntry> mesh_repairs;  ///< in the order in which they are done
 };
 
 const Catalog& catalog();

@@ -13,6 +13,7 @@ namespace fissure {
 //   io.field(key, value)               may be left out: the struct's default, or no value, stands
 //   io.fieldIf(applies, when, key, value)   has a meaning only if `applies`; an error elsewhere
 //   io.choice / io.requiredChoice      a name from a table of the catalog
+//   io.choices(key, values, table)     a list of such names, which may be left out
 //   io.tagged(key, value, table)       a map whose `type` names the alternative
 //   io.nameOr(key, value, other_key)   a name that may be left out: then what `other_key` says
 
@@ -31,6 +32,15 @@ template <class Io>
 void describe(Io& io, TrianglesShape& s) {
   io.required("vertices_m", s.vertices_m);
   io.required("faces", s.faces);
+}
+
+template <class Io>
+void describe(Io& io, FileShape& s) {
+  io.required("file", s.file);
+  io.requiredChoice("unit", s.unit, catalog().length_units);
+  io.field("weld_tolerance_m", s.weld_tolerance_m);
+  io.choices("repairs", s.repairs, catalog().mesh_repairs);
+  io.field("max_edge_m", s.max_edge_m);
 }
 
 template <class Io>

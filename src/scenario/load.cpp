@@ -29,23 +29,34 @@ std::string relativeToScenario(const std::string& name, const Origin& origin, co
   return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();
 }
 
-/// Makes the logs' names start from the scenario's directory, and says which files they are.
-std::vector<Path> resolveLogs(Scenario& scenario, const YamlNode& root) {
-  std::vector<Path> logs;
-  for (ToolSettings& tool : scenario.tools) {
-    auto* replay = std::get_if<ReplayMotion>(&tool.motion);
-    if (!replay) continue;
-    const std::string path = "tools." + tool.name + ".motion.file";
-    const Origin origin = locate(root, path);
-    replay->file = relativeToScenario(replay->file, origin, scenario.directory);
-    const Path log = scenario.directory / replay->file;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(log, ignored)) {
-      failAt(origin, path + " is \"" + replay->file + "\": no such file, expected a log");
-    }
-    logs.push_back(log);
+/// Makes the name of an input start from the scenario's directory, and says which file it is. `path`: where
+/// the scenario names it; `kind`: what it should be.
+Path resolve(std::string& name, const std::string& path, const char* kind, const YamlNode& root,
+             const Path& directory) {
+  const Origin origin = locate(root, path);
+  name = relativeToScenario(name, origin, directory);
+  Path file = directory / name;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    failAt(origin, path + " is \"" + name + "\": no such file, expected a " + kind);
   }
-  return logs;
+  return file;
+}
+
+/// The logs and meshes that the scenario names.
+std::vector<Path> resolveInputs(Scenario& scenario, const YamlNode& root) {
+  std::vector<Path> files;
+  for (BodySettings& body : scenario.bodies) {
+    if (auto* shape = std::get_if<FileShape>(&body.shape))
+      files.push_back(
+          resolve(shape->file, "bodies." + body.name + ".shape.file", "mesh", root, scenario.directory));
+  }
+  for (ToolSettings& tool : scenario.tools) {
+    if (auto* replay = std::get_if<ReplayMotion>(&tool.motion))
+      files.push_back(
+          resolve(replay->file, "tools." + tool.name + ".motion.file", "log", root, scenario.directory));
+  }
+  return files;
 }
 
 struct Parsed {
@@ -75,7 +86,7 @@ LoadedScenario parseScenario(const std::string& text, const Path& file,
                              const std::vector<Override>& overrides) {
   auto [tree, loaded] = parse(text, file, overrides);
   loaded.inputs = std::move(tree.bases);
-  for (Path& log : resolveLogs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(log));
+  for (Path& input : resolveInputs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(input));
   loaded.resolved = toYaml(loaded.scenario);
   return loaded;
 }

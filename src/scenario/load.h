@@ -17,17 +17,18 @@ struct Override {
 /// A scenario with what its result must remember.
 struct LoadedScenario {
   Scenario scenario;
-  std::string source;                         ///< the file, verbatim
-  std::string resolved;                       ///< toYaml(scenario)
-  std::vector<std::filesystem::path> inputs;  ///< the file, its bases (nearest first), the logs it names
+  std::string source;    ///< the file, verbatim
+  std::string resolved;  ///< toYaml(scenario)
+  std::vector<std::filesystem::path>
+      inputs;  ///< the file, its bases (nearest first), meshes and logs it names
 };
 
 /// Reads a scenario file, strictly: unknown or duplicate keys, wrong types, values out of range,
 /// octal-looking numbers, non-finite numbers and missing files are InputErrors, one line with file and line,
 /// and 'did you mean'. `base: other.yaml`, relative to the file, is read first; this file's keys replace or
 /// extend it: maps merge key by key (one with another `type` replaces), lists whose items all have names
-/// merge by name, other and empty lists replace. Logs named in a base start from the base's directory. An
-/// override replaces the whole value at its path.
+/// merge by name, other and empty lists replace. Logs and meshes named in a base start from the base's
+/// directory. An override replaces the whole value at its path.
 LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
 /// The same from text; `file` is used in messages, and its directory for relative names. It need not exist,
@@ -35,7 +36,7 @@ LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector
 LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
                              const std::vector<Override>& overrides = {});
 
-/// The scenario that a result or part file carries, from its text. The logs it names need not be here any
+/// The scenario that a result or part file carries, from its text. The files it names need not be here any
 /// more, and `inputs` is empty. Throws InputError, with `scenario_resolved` for the file.
 LoadedScenario parseStoredScenario(const std::string& text);
 

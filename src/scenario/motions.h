@@ -43,7 +43,6 @@ struct ScriptMotion {
   bool operator==(const ScriptMotion&) const = default;
 };
 
-enum class LengthUnit { m, mm };
 enum class Interpolation { linear, monotone_cubic };
 
 /// How a log's axes lie.

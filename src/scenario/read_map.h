@@ -56,6 +56,7 @@ class MapReader {
     if (applies) return choice(key, value, table);
     noteMisplaced(key, when);
   }
+  void choices(const char* key, std::vector<std::string>& values, const std::vector<CatalogEntry>& table);
   template <class... Ts>
   void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table);
   void nameOr(const char* key, std::string& value, const char* other_key);

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string>
 #include <type_traits>
 
 #include "scenario/catalog.h"
@@ -38,6 +40,19 @@ void checkShape(Checker check, const TrianglesShape& triangles) {
         inside && distinct, "faces." + std::to_string(i),
         "is no triangle, expected three different vertex indices from 0 to " + std::to_string(vertices - 1));
   }
+}
+
+/// What can be said without the file.
+void checkShape(Checker check, const FileShape& shape) {
+  check.require(!shape.file.empty(), "file", "is empty, expected the name of a mesh file");
+  check.notNegative("weld_tolerance_m", shape.weld_tolerance_m);
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < shape.repairs.size(); ++i) {
+    const std::string key = "repairs." + std::to_string(i);
+    check.oneOf(key, shape.repairs[i], catalog().mesh_repairs);
+    check.require(seen.insert(shape.repairs[i]).second, key, "is named twice, expected each repair once");
+  }
+  if (shape.max_edge_m) check.positive("max_edge_m", *shape.max_edge_m);
 }
 
 void checkSolver(Checker check, const SolverSettings& s) {

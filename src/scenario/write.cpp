@@ -95,6 +95,9 @@ class MapWriter {
                 const std::vector<CatalogEntry>& table) {
     if (applies) choice(key, value, table);
   }
+  void choices(const char* key, std::vector<std::string>& values, const std::vector<CatalogEntry>&) {
+    field(key, values);
+  }
   template <class... Ts>
   void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table) {
     MapWriter io(indent_ + 2);

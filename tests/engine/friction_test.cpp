@@ -18,7 +18,7 @@ constexpr double kGravity_m_s2 = 9.81;
 constexpr double kWeight_N = kGravity_m_s2 * kMass_kg;
 constexpr double kMargin_m = 0.0005;
 
-BodySettings soft(const std::variant<SphereShape, BoxShape, TrianglesShape>& shape) {
+BodySettings soft(const decltype(BodySettings::shape)& shape) {
   BodySettings body;
   body.name = "body";
   body.shape = shape;

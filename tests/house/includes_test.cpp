@@ -87,6 +87,7 @@ TEST(House, EachLibraryLivesInOneRoom) {
       {std::regex("(hdf5|H5).*"), "store/"},
       {std::regex("yaml-cpp/.*"), "scenario/yaml_document.cpp"},
       {std::regex("GL/.*"), "render/"},
+      {std::regex("assimp/.*"), "mesh/file_mesh.cpp"},
       {std::regex("CLI/.*"), "main/"},
       {std::regex("nlohmann/.*"), "main/"},
   };
@@ -98,7 +99,7 @@ TEST(House, EachLibraryLivesInOneRoom) {
       EXPECT_EQ(include.file.rfind(library.where, 0), 0u) << include.file << " includes " << include.target;
     }
   }
-  EXPECT_EQ(seen.size(), 5u) << "a library was not found where it should be";
+  EXPECT_EQ(seen.size(), 6u) << "a library was not found where it should be";
 }
 
 TEST(House, TheFrontKnowsNoEngine) {

@@ -35,21 +35,27 @@ TEST(FindDefects, CountsNonManifoldEdges) {
   TriangleMesh mesh = makeBox({1, 1, 1});
   mesh.vertices_m.push_back({3, 3, 3});
   mesh.faces.push_back({0, 4, 8});
-  EXPECT_EQ(findDefects(mesh), (Lines{"2 boundary edges (the surface is open)",
-                                      "1 non-manifold edge (shared by more than two triangles)"}));
+  EXPECT_EQ(findDefects(mesh),
+            (Lines{"2 boundary edges (the surface is open)",
+                   "1 non-manifold edge (shared by more than two triangles)",
+                   "1 inconsistently oriented edge (its triangles disagree about the outside)"}));
 }
 
-TEST(FindDefects, CountsDuplicateFacesAsNonManifold) {
+TEST(FindDefects, CountsDuplicateFacesAndTheirEdges) {
   TriangleMesh mesh = sphere();
-  mesh.faces.push_back(mesh.faces[7]);
-  EXPECT_EQ(findDefects(mesh), Lines{"3 non-manifold edges (shared by more than two triangles)"});
+  const auto [a, b, c] = mesh.faces[7];
+  mesh.faces.push_back({b, c, a});
+  EXPECT_EQ(findDefects(mesh),
+            (Lines{"1 duplicate face (the same three corners as another one)",
+                   "3 non-manifold edges (shared by more than two triangles)",
+                   "3 inconsistently oriented edges (its triangles disagree about the outside)"}));
 }
 
 TEST(FindDefects, CountsInconsistentlyOrientedEdges) {
   TriangleMesh mesh = sphere();
   std::swap(mesh.faces[5][0], mesh.faces[5][1]);
   EXPECT_EQ(findDefects(mesh),
-            Lines{"3 inconsistently oriented edges (its two triangles disagree about the outside)"});
+            Lines{"3 inconsistently oriented edges (its triangles disagree about the outside)"});
 }
 
 TEST(FindDefects, FindsASurfaceThatIsInsideOut) {
@@ -64,7 +70,8 @@ TEST(FindDefects, FindsASurfaceThatIsInsideOut) {
 
 TEST(FindDefects, FindsAClosedSheetWithoutVolume) {
   TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 1}}};
-  EXPECT_EQ(findDefects(mesh), Lines{"no enclosed volume (the surface is a folded sheet)"});
+  EXPECT_EQ(findDefects(mesh), (Lines{"1 duplicate face (the same three corners as another one)",
+                                      "no enclosed volume (the surface is a folded sheet)"}));
 }
 
 TEST(FindDefects, CountsDegenerateTriangles) {

@@ -310,6 +310,37 @@ TEST_F(BadFile, LogThatAReplayNamesIsMissing) {
   EXPECT_EQ(loaded.inputs, (std::vector<std::filesystem::path>{folder_ / "a.yaml", log}));
 }
 
+TEST_F(BadFile, MeshThatABodyNames) {
+  const auto text = [](const std::string& shape) {
+    return "format: 1\nname: a\ntime: {duration_s: 1}\nbodies:\n  - name: organ\n    shape: {type: file" +
+           shape + "}\npipelines: [{pipeline: fukuhara}]\n";
+  };
+  write("a.yaml", text(", file: organ.stl"));
+  EXPECT_EQ(loadError("a.yaml"), "a.yaml:6: missing key \"unit\" in bodies.organ.shape, expected it");
+  write("a.yaml", text(", file: organ.stl, unit: inch"));
+  EXPECT_NE(loadError("a.yaml").find("a.yaml:6: bodies.organ.shape.unit is \"inch\""), std::string::npos)
+      << loadError("a.yaml");
+  write("a.yaml", text(", file: organ.stl, unit: mm, repairs: [orient, cap_hole]"));
+  EXPECT_NE(loadError("a.yaml").find("cap_holes"), std::string::npos) << loadError("a.yaml");
+  write("a.yaml", text(", file: organ.stl, unit: mm, repairs: [orient, cap_holes]"));
+  EXPECT_EQ(loadError("a.yaml"),
+            "a.yaml:6: bodies.organ.shape.file is \"organ.stl\": no such file, expected a mesh");
+  const std::filesystem::path mesh = write("organ.stl", "solid");
+  const LoadedScenario loaded = loadScenario(folder_ / "a.yaml");
+  EXPECT_EQ(loaded.inputs, (std::vector<std::filesystem::path>{folder_ / "a.yaml", mesh}));
+  FileShape shape;
+  shape.file = "organ.stl";
+  shape.unit = LengthUnit::mm;
+  shape.repairs = {"orient", "cap_holes"};
+  EXPECT_EQ(std::get<FileShape>(loaded.scenario.bodies[0].shape), shape);
+  EXPECT_EQ(parseScenario(loaded.resolved, folder_ / "a.yaml").scenario, loaded.scenario);
+  // In a folder above, named by a base there.
+  std::filesystem::create_directory(folder_ / "below");
+  write("below/b.yaml", "base: ../a.yaml\nname: b\n");
+  EXPECT_EQ(std::get<FileShape>(loadScenario(folder_ / "below/b.yaml").scenario.bodies[0].shape).file,
+            "../organ.stl");
+}
+
 }  // namespace
 
 }  // namespace fissure

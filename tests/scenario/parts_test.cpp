@@ -89,9 +89,10 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
-  for (const auto* table : {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.motions,
-                            &c.timings, &c.interpolations, &c.settings, &c.precisions, &c.responses,
-                            &c.length_units, &c.rates, &c.deformations, &c.aero_models, &c.soft_contacts}) {
+  for (const auto* table :
+       {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.motions, &c.timings,
+        &c.interpolations, &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
+        &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));
@@ -113,6 +114,7 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.body_shapes, Shapes(SphereShape{}).index()), "sphere");
   EXPECT_EQ(at(c.body_shapes, Shapes(BoxShape{}).index()), "box");
   EXPECT_EQ(at(c.body_shapes, Shapes(TrianglesShape{}).index()), "triangles");
+  EXPECT_EQ(at(c.body_shapes, Shapes(FileShape{}).index()), "file");
   using Motions = decltype(ToolSettings::motion);
   ASSERT_EQ(c.motions.size(), std::variant_size_v<Motions>);
   EXPECT_EQ(at(c.motions, Motions(ScriptMotion{}).index()), "script");
@@ -124,6 +126,7 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.interpolations, Interpolation::monotone_cubic), "monotone_cubic");
   EXPECT_EQ(at(c.length_units, LengthUnit::m), "m");
   EXPECT_EQ(at(c.length_units, LengthUnit::mm), "mm");
+  EXPECT_EQ(at(c.length_units, LengthUnit::cm), "cm");
 }
 
 TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {

@@ -262,6 +262,30 @@ TEST(Validate, FixedRegions) {
   });
 }
 
+TEST(Validate, MeshFiles) {
+  Scenario s = full();
+  FileShape shape;
+  shape.file = "organ.stl";
+  shape.repairs = {"orient", "cap_holes"};
+  shape.max_edge_m = 0.01;
+  s.bodies[0].shape = shape;
+  EXPECT_TRUE(validate(s).empty());
+  const auto problem = [&](const std::function<void(FileShape&)>& change) {
+    Scenario bad = s;
+    change(std::get<FileShape>(bad.bodies[0].shape));
+    const std::vector<Problem> problems = validate(bad);
+    return problems.size() == 1 ? problems[0].path : std::to_string(problems.size()) + " problems";
+  };
+  const std::string path = "bodies." + s.bodies[0].name + ".shape.";
+  EXPECT_EQ(problem([](FileShape& f) { f.file = ""; }), path + "file");
+  EXPECT_EQ(problem([](FileShape& f) { f.weld_tolerance_m = -1e-6; }), path + "weld_tolerance_m");
+  EXPECT_EQ(problem([](FileShape& f) { f.weld_tolerance_m = nan; }), path + "weld_tolerance_m");
+  EXPECT_EQ(problem([](FileShape& f) { f.repairs[1] = "polish"; }), path + "repairs.1");
+  EXPECT_EQ(problem([](FileShape& f) { f.repairs[1] = "orient"; }), path + "repairs.1");
+  EXPECT_EQ(problem([](FileShape& f) { f.max_edge_m = 0; }), path + "max_edge_m");
+  EXPECT_EQ(problem([](FileShape& f) { f.max_edge_m = infinity; }), path + "max_edge_m");
+}
+
 TEST(Validate, Scripts) {
   expectProblems({
       {"tools.1.name", [](Scenario& s) { s.tools[1].name = "blade"; }},

@@ -1,0 +1,164 @@
+#include "mesh/file_mesh.h"
+
+#include <assimp/cimport.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+#include <dlfcn.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "base/error.h"
+#include "mesh/mesh_text.h"
+
+namespace fissure {
+namespace {
+
+constexpr std::size_t max_triangles = std::size_t{1} << 20;
+
+/// Assimp, loaded when the first mesh is read: linked, it would cost every start of every program 6 ms.
+class Assimp {
+ public:
+  Assimp()
+      : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)),  // it may leave exit handlers behind
+        import_(find<decltype(import_)>("aiImportFileFromMemory")),
+        triangulate_(find<decltype(triangulate_)>("aiApplyPostProcessing")),
+        error_(find<decltype(error_)>("aiGetErrorString")),
+        release_(find<decltype(release_)>("aiReleaseImport")),
+        attach_(find<decltype(attach_)>("aiAttachLogStream")),
+        detach_(find<decltype(detach_)>("aiDetachLogStream")) {
+    attach_(&log_);
+  }
+  ~Assimp() { detach_(&log_); }
+  Assimp(const Assimp&) = delete;
+  Assimp& operator=(const Assimp&) = delete;
+
+  using Scene = std::unique_ptr<const aiScene, decltype(&aiReleaseImport)>;
+
+  /// Null when it failed; then and otherwise, complaint() says what was wrong.
+  Scene read(const MeshText& text) {
+    constexpr const char* endings[] = {"stl", "obj", "ply", "off"};
+    Scene scene(import_(text.bytes.data(), static_cast<unsigned>(text.bytes.size()), 0,
+                        endings[static_cast<std::size_t>(text.format)]),
+                release_);
+    if (!scene && complaint_.empty()) complaint_ = error_();
+    return scene;
+  }
+  /// Splits polygons; afterwards complaint() says whether some could not be split.
+  void triangulate(Scene& scene) {
+    if (triangulate_(scene.get(), aiProcess_Triangulate) != nullptr) return;
+    (void)scene.release();  // Assimp has freed it
+    throw RunError("Assimp cannot split polygons");
+  }
+  /// The first error or warning; empty: none.
+  const std::string& complaint() const { return complaint_; }
+
+ private:
+  static constexpr const char* name = "libassimp.so.5";
+
+  template <class Function>
+  Function find(const char* function) {
+    void* address = library_ ? dlsym(library_, function) : nullptr;
+    if (!address)
+      throw InputError(std::string("meshes cannot be read without ") + name + " and its " + function +
+                       ", expected Debian's package libassimp5");
+    return reinterpret_cast<Function>(address);
+  }
+
+  /// Assimp's lines are "Warn,  T0: text".
+  static void note(const char* message, char* complaint) {
+    const std::string line(message);
+    auto& first = *reinterpret_cast<std::string*>(complaint);
+    const bool bad = line.starts_with("Error,") || line.starts_with("Warn,");
+    if (bad && first.empty()) first = line.substr(std::min(line.find(": ") + 2, line.size()));
+  }
+
+  std::string complaint_;
+  void* library_;
+  decltype(&aiImportFileFromMemory) import_;
+  decltype(&aiApplyPostProcessing) triangulate_;
+  decltype(&aiGetErrorString) error_;
+  decltype(&aiReleaseImport) release_;
+  decltype(&aiAttachLogStream) attach_;
+  decltype(&aiDetachLogStream) detach_;
+  aiLogStream log_{&note, reinterpret_cast<char*>(&complaint_)};
+};
+
+/// Its first line, and of a long one (Assimp may quote the whole file) the beginning.
+std::string shortened(const std::string& complaint) {
+  constexpr std::size_t longest = 120;
+  std::string line = complaint.substr(0, complaint.find('\n'));
+  if (line.size() > longest) line = line.substr(0, longest) + "...";
+  std::replace_if(
+      line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, ' ');
+  return line;
+}
+
+/// Faces that cannot be split into triangles.
+void refuseBadFaces(const std::string& file, const aiScene& scene) {
+  std::size_t faces = 0, few = 0, beyond = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    for (const aiFace* face = part.mFaces; face != part.mFaces + part.mNumFaces; ++face) {
+      ++faces;
+      if (face->mNumIndices < 3) ++few;
+      beyond += std::any_of(face->mIndices, face->mIndices + face->mNumIndices,
+                            [&](unsigned index) { return index >= part.mNumVertices; });
+    }
+  }
+  if (faces == 0) throw InputError(file + ": has no faces, expected a surface");
+  if (few > 0)
+    throw InputError(file + ": " + std::to_string(few) + " of its " + std::to_string(faces) +
+                     " faces have fewer than three corners, expected triangles or polygons");
+  if (beyond > 0)
+    throw InputError(file + ": " + std::to_string(beyond) + " of its " + std::to_string(faces) +
+                     " faces name a vertex that does not exist (a damaged file)");
+}
+
+bool hasPolygons(const aiScene& scene) {
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    if (std::any_of(part.mFaces, part.mFaces + part.mNumFaces,
+                    [](const aiFace& face) { return face.mNumIndices > 3; }))
+      return true;
+  }
+  return false;
+}
+
+void append(const aiMesh& part, TriangleMesh& mesh) {
+  const int first = static_cast<int>(mesh.vertices_m.size());
+  for (unsigned v = 0; v < part.mNumVertices; ++v) {
+    const aiVector3D& p = part.mVertices[v];
+    mesh.vertices_m.emplace_back(p.x, p.y, p.z);
+  }
+  for (unsigned f = 0; f < part.mNumFaces; ++f) {
+    const unsigned* index = part.mFaces[f].mIndices;
+    const auto corner = [&](int k) { return first + static_cast<int>(index[k]); };
+    mesh.faces.push_back({corner(0), corner(1), corner(2)});
+  }
+}
+
+}  // namespace
+
+TriangleMesh readMeshFile(const std::filesystem::path& file) {
+  const MeshText text = readMeshText(file);
+  Assimp assimp;
+  const auto requireGood = [&](bool read) {
+    if (!read || !assimp.complaint().empty())
+      throw InputError(file.string() + ": cannot be read as a mesh (" + shortened(assimp.complaint()) + ")");
+  };
+  Assimp::Scene scene = assimp.read(text);
+  requireGood(scene != nullptr);
+  refuseBadFaces(file.string(), *scene);
+  if (hasPolygons(*scene)) assimp.triangulate(scene);
+  requireGood(true);
+  TriangleMesh mesh;
+  for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
+  if (mesh.faces.size() > max_triangles)
+    throw InputError(file.string() + ": has " + std::to_string(mesh.faces.size()) +
+                     " triangles, expected at most " + std::to_string(max_triangles));
+  return mesh;
+}
+
+}  // namespace fissure

@@ -1,0 +1,86 @@
+#include "mesh/file_surface.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+#include "mesh/file_mesh.h"
+#include "mesh/repair.h"
+#include "mesh/subdivide.h"
+#include "mesh/weld.h"
+#include "scenario/catalog.h"
+
+namespace fissure {
+namespace {
+
+constexpr std::size_t most_triangles = 131072;  // those of a sphere with 7 subdivisions
+
+/// No organ and no tool is smaller or larger, in its longest direction.
+constexpr double least_extent_m = 1e-3, most_extent_m = 2.0;
+
+/// What most of them have.
+constexpr double usual_least_m = 5e-3, usual_most_m = 0.5;
+
+std::string number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return text;
+}
+
+/// A size that no body has is a wrong unit: which one it may be. The mesh is in the file's unit.
+std::vector<Defect> sizeDefects(const TriangleMesh& mesh, LengthUnit stated) {
+  Eigen::AlignedBox3d bounds;
+  for (const Vec3& vertex : mesh.vertices_m)
+    if (vertex.allFinite()) bounds.extend(vertex);
+  if (bounds.isEmpty()) return {};
+  const double extent_m = bounds.sizes().maxCoeff() * metres(stated);
+  if (extent_m >= least_extent_m && extent_m <= most_extent_m) return {};
+  std::string text = "size beyond reason (" + number(extent_m) + " m across, expected " +
+                     number(least_extent_m) + " to " + number(most_extent_m) + " m";
+  std::string suspects;
+  for (const LengthUnit unit : {LengthUnit::m, LengthUnit::cm, LengthUnit::mm}) {
+    const double as_m = extent_m / metres(stated) * metres(unit);
+    if (as_m < usual_least_m || as_m > usual_most_m) continue;
+    suspects += (suspects.empty() ? "" : " or ") +
+                std::string(catalog().length_units[static_cast<std::size_t>(unit)].name);
+  }
+  if (!suspects.empty()) text += ": is the unit " + suspects + "?";
+  return {{DefectKind::size, 1, text + ")"}};
+}
+
+std::vector<Defect> inspect(const TriangleMesh& mesh, LengthUnit unit) {
+  std::vector<Defect> defects = inspectSurface(mesh, metres(unit));
+  const std::vector<Defect> size = sizeDefects(mesh, unit);
+  defects.insert(defects.end(), size.begin(), size.end());
+  return defects;
+}
+
+bool isFinite(const TriangleMesh& mesh) {
+  return std::all_of(mesh.vertices_m.begin(), mesh.vertices_m.end(),
+                     [](const Vec3& v) { return v.allFinite(); });
+}
+
+}  // namespace
+
+FileSurface loadSurface(const FileShape& shape, const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / shape.file;
+  const double unit_m = metres(shape.unit);
+  FileSurface surface;
+  TriangleMesh& mesh = surface.mesh;
+  // In the file's unit to the end: three points of a line are none any more when they have been scaled.
+  mesh = readMeshFile(file);
+  weldVertices(mesh, shape.weld_tolerance_m / unit_m);
+  surface.found = inspect(mesh, shape.unit);
+  surface.left = surface.found;
+  if (isFinite(mesh)) {
+    surface.repairs = repairMesh(mesh, shape.repairs);
+    if (shape.max_edge_m && !subdivide(mesh, *shape.max_edge_m / unit_m, most_triangles))
+      throw InputError(file.string() + ": max_edge_m " + number(*shape.max_edge_m) + " makes more than " +
+                       std::to_string(most_triangles) + " triangles, expected fewer");
+    surface.left = inspect(mesh, shape.unit);
+  }
+  for (Vec3& vertex : mesh.vertices_m) vertex *= unit_m;
+  return surface;
+}
+
+}  // namespace fissure

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+
+#include "base/geometry.h"
+
+namespace fissure {
+
+/// The corners of one triangle, which must exist.
+inline std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, const Face& face) {
+  const auto corner = [&](std::size_t k) { return mesh.vertices_m[static_cast<std::size_t>(face[k])]; };
+  return {corner(0), corner(1), corner(2)};
+}
+
+/// Twice the area of a triangle over its longest edge squared: 0 when it has no area. NaN where a corner is
+/// not finite.
+double relativeHeight(const std::array<Vec3, 3>& corners);
+
+/// relativeHeight() up to which a triangle is degenerate: it has no usable normal.
+constexpr double degenerate_height = 1e-12;
+
+}  // namespace fissure
