@@ -29,6 +29,10 @@ std::string innermostReason() {
   return reason.empty() ? "HDF5 gave no reason" : reason;
 }
 
+// Every file is closed by its owner, and at exit HDF5 crashes on one that damage kept from closing. Only the
+// first call into the library is in time to say so.
+[[maybe_unused]] const herr_t no_work_at_exit = H5dont_atexit();
+
 }  // namespace
 
 void fail(std::string_view doing, std::string_view name) {

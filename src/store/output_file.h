@@ -11,6 +11,11 @@
 
 namespace fissure::h5 {
 
+enum class Space {
+  dense,  ///< for files that get their name when they are whole
+  paged  ///< no small structure crosses two pages: a writer killed between them leaves each whole; takes more
+};
+
 /// A file being written. That a disk was full shows in writeFailure(), checkWritten() and close(), not in the
 /// results of HDF5's own functions.
 class OutputFile {
@@ -18,7 +23,7 @@ class OutputFile {
   OutputFile() = default;
   /// Creates a file that must not exist yet (H5F_ACC_EXCL) or is replaced (H5F_ACC_TRUNC), in the 1.10 format
   /// with tracked creation order. HDF5's own error printing is off from here on. Throws RunError.
-  static OutputFile create(const std::filesystem::path& path, unsigned flags);
+  static OutputFile create(const std::filesystem::path& path, unsigned flags, Space space = Space::dense);
   static OutputFile openToChange(const std::filesystem::path& path);
   OutputFile(OutputFile&&) noexcept = default;
   OutputFile& operator=(OutputFile&& other) noexcept;

@@ -69,7 +69,7 @@ PartFile::PartFile(const std::filesystem::path& path, const PartHeader& header)
       flush_every_(
           std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(header.flush_every_s))) {
   guarded([&] {
-    file_ = h5::OutputFile::create(path, H5F_ACC_TRUNC);
+    file_ = h5::OutputFile::create(path, H5F_ACC_TRUNC, h5::Space::paged);
     h5::setAttribute(file_, "title", header.scenario.name);
     h5::setAttribute(file_, "format", std::string(part_format));
     h5::setAttribute(file_, "format_version", format_version);

@@ -240,11 +240,12 @@ void writeDamagingEngine(const Folder& folder, int per_mille) {
 }
 
 // By the time the parts are put together, HDF5 1.10 crashes on some, with others it loops for ever.
+// Closer beyond 0.6: there lies what is read only in copying.
 TEST(DamagedPart, FailsItsRunAloneWhereverItIsOverwritten) {
   const std::string scenario = pressScenario(two_runs, "0.02", "record: {snapshots_every_s: 0.01}\n");
   int failed = 0;
   int failed_in_copying = 0;
-  for (int at = 10; at < 700; at += 30) {
+  for (int at = 15; at < 735; at += at < 600 ? 60 : 6) {
     const Folder folder;
     folder.write("s.yaml", scenario);
     writeDamagingEngine(folder, at);

@@ -121,20 +121,27 @@ TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
     const TemporaryFolder folder;
     SampleRun run = makeSampleRun(100, true);
     const auto path = folder / "default.part";
+    int begun[2];
+    ASSERT_EQ(::pipe(begun), 0);
     const pid_t writer = ::fork();
     if (writer == 0) {
       const auto part = openSamplePart(path, run, "default");
       for (std::size_t row = 0;; ++row) {
         part->append(sampleRow(run.layout, row));
+        if (row == 100 && ::write(begun[1], "!", 1) != 1) ::_exit(1);
         if (row % 10 == 0) part->snapshot(sampleState(row / 10));
         if (row % 200 == 0) part->frame(2.0, sampleImage(1));
       }
     }
     // Wait for the first block, then for a moment that differs from trial to trial.
-    while (!std::filesystem::exists(path) || std::filesystem::file_size(path) < 100000) ::usleep(1000);
-    ::usleep(static_cast<useconds_t>(20000 + 1733 * trial));
+    ::close(begun[1]);
+    char sign = 0;
+    EXPECT_EQ(::read(begun[0], &sign, 1), 1);
+    ::close(begun[0]);
+    ::usleep(static_cast<useconds_t>(1733 * trial));
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
+    EXPECT_NO_THROW(inspectPart(path)) << "trial " << trial;
     EXPECT_GE(salvagedRows(folder, run, path), 100U);
     const auto result = folder / "salvaged.h5";
     const SeriesData snapshots = readSeries(result, "/pipelines/default/snapshot_time");
