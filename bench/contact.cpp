@@ -46,7 +46,8 @@ struct PressedSphere {
     const BodySettings& sphere = scenario.bodies[0];
     const double top_m = sphere.position_m.y() + std::get<SphereShape>(sphere.shape).radius_m;
     tools_before = state.tools;
-    state.tools[0].pose.position_m = {0, top_m - depth_m + 0.5 * scenario.tools[0].shape.size_m.y(), 0};
+    state.tools[0].pose.position_m = {
+        0, top_m - depth_m + 0.5 * std::get<BoxShape>(scenario.tools[0].shape).size_m.y(), 0};
   }
   void detect() {
     contact.step(state.positions_m, inverse_masses, tools_before, state.tools, scenario.time.step_s, state,

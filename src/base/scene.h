@@ -23,10 +23,12 @@ struct SceneBody {
 /// A rigid, kinematic tool, in its own frame.
 struct SceneTool {
   std::string name;
-  TriangleMesh surface;            ///< outward faces
-  std::optional<Vec3> box_size_m;  ///< full edge lengths when the tool is a box centred on its origin
-  ToolNodes nodes;                 ///< empty for pipelines that use none
-  int first_node = 0;              ///< of this tool in the concatenated node arrays of a State
+  TriangleMesh surface;                   ///< outward faces
+  std::optional<Vec3> box_size_m;         ///< full edge lengths when the tool is a box centred on its origin
+  bool closed = true;                     ///< false: the surface has no inside
+  ToolNodes nodes;                        ///< empty for pipelines that use none
+  int first_node = 0;                     ///< of this tool in the concatenated node arrays of a State
+  std::vector<std::string> repairs = {};  ///< as a body's
 };
 
 /// The geometry of one run: what engine, measure, render and store agree on. Built once from a scenario.

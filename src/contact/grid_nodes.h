@@ -12,6 +12,8 @@ namespace fissure {
 /// stand on the face's border: with nodes in the middle of cells, tissue slips round the edges of the tool (8
 /// x 8 on a 40 x 15 mm spatula at 0.1 m/s: 2.1 mm deep instead of 0.2). The nodes of the face on the positive
 /// side come first, then those of the other face in the same order.
-ToolNodes makeGridNodes(const Vec3& size_m, const std::array<int, 2>& resolution);
+/// narrow_faces: the same on the four narrow faces (beyond the paper), no node farther from the next than
+/// on the large faces, partners across the tool.
+ToolNodes makeGridNodes(const Vec3& size_m, const std::array<int, 2>& resolution, bool narrow_faces = false);
 
 }  // namespace fissure

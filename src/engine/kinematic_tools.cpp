@@ -1,13 +1,34 @@
 #include "engine/kinematic_tools.h"
 
+#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+
+#include "base/error.h"
 #include "engine/convert.h"
+#include "mesh/convex.h"
 
 namespace fissure {
+
+namespace {
+
+std::unique_ptr<btConvexShape> makeToolShape(const SceneTool& tool) {
+  if (tool.box_size_m) return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * *tool.box_size_m)));
+  if (!tool.closed || !isConvex(tool.surface))
+    throw InputError("tool '" + tool.name +
+                     "' is not convex and closed, expected pipelines raycast and fukuhara alone");
+  auto hull = std::make_unique<btConvexHullShape>();
+  for (const Vec3& vertex : tool.surface.vertices_m) hull->addPoint(toBullet(vertex), false);
+  hull->recalcLocalAabb();
+  hull->setMargin(0);  // Bullet's own would make the tool 80 mm thicker
+  return hull;
+}
+
+}  // namespace
 
 KinematicTools::KinematicTools(const PipelineContext& context) : world_(context.world) {
   for (std::size_t t = 0; t < context.scenario.tools.size(); ++t) {
     const ToolSettings& tool = context.scenario.tools[t];
-    shapes_.push_back(std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * tool.shape.size_m))));
+    shapes_.push_back(makeToolShape(context.scene.tools[t]));
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
     info.m_startWorldTransform = toBullet(context.first_poses[t]);
     info.m_friction = static_cast<btScalar>(tool.friction);

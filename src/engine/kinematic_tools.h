@@ -1,6 +1,6 @@
 #pragma once
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
+#include <BulletCollision/CollisionShapes/btConvexShape.h>
 
 #include <memory>
 #include <vector>
@@ -13,6 +13,8 @@ namespace fissure {
 /// In the world for as long as this object lives.
 class KinematicTools {
  public:
+  /// Boxes as Bullet's boxes, other tools as their convex hulls. Throws InputError for a tool that is not
+  /// convex, or open: Bullet's soft bodies meet it as triangles 120 mm thick.
   explicit KinematicTools(const PipelineContext& context);
   ~KinematicTools();
   KinematicTools(const KinematicTools&) = delete;
@@ -25,7 +27,7 @@ class KinematicTools {
 
  private:
   BulletWorld& world_;
-  std::vector<std::unique_ptr<btBoxShape>> shapes_;
+  std::vector<std::unique_ptr<btConvexShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };
 

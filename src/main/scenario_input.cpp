@@ -4,11 +4,13 @@
 #include <cmath>
 
 #include "mesh/check.h"
+#include "mesh/convex.h"
 #include "mesh/file_surface.h"
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "motion/motion.h"
 #include "process/apart.h"
+#include "run/build_scene.h"
 #include "scenario/did_you_mean.h"
 
 namespace fissure {
@@ -56,10 +58,12 @@ void checkFixed(const std::string& file, const BodySettings& body, const Triangl
     throw InputError(where + " holds every vertex of the body, expected some that can move");
 }
 
-std::vector<std::string> spoiling(const std::vector<Defect>& defects) {
+using Spoils = bool (*)(DefectKind);
+
+std::vector<std::string> spoiling(const std::vector<Defect>& defects, Spoils spoils) {
   std::vector<std::string> texts;
   for (const Defect& defect : defects)
-    if (spoilsBody(defect.kind)) texts.push_back(defect.text);
+    if (spoils(defect.kind)) texts.push_back(defect.text);
   return texts;
 }
 
@@ -72,50 +76,81 @@ void noteSurface(const FileSurface& surface, const std::string& path, std::vecto
   for (const Defect& defect : surface.left) note(defect.text);
 }
 
-/// What a body cannot be simulated with. `notes` take what can be said besides.
-std::vector<std::string> defectsOf(const BodySettings& body, const std::string& path,
-                                   const std::filesystem::path& directory, std::vector<std::string>& notes) {
-  const auto* shape = std::get_if<FileShape>(&body.shape);
-  if (!shape) return findDefects(placeBody(body, directory));
-  // Assimp may crash on a damaged file, or never end.
-  tryReading(directory / shape->file, [&] { loadSurface(*shape, directory); });
-  const FileSurface surface = loadSurface(*shape, directory);
-  noteSurface(surface, path, notes);
-  return spoiling(surface.left);
-}
+/// What is wrong with the surfaces of a scenario, and what can be said about them besides.
+class SurfaceReport {
+ public:
+  SurfaceReport(CheckedScenario& checked, std::string what, std::string expected, Spoils spoils)
+      : checked_(checked), what_(std::move(what)), expected_(std::move(expected)), spoils_(spoils) {}
 
-/// Adds what is wrong with a body's surface to `all`, and line by line to `lines`.
-void reportDefects(const BodySettings& body, const std::string& path, const std::vector<std::string>& defects,
-                   std::string& all, std::vector<std::string>& lines) {
-  const std::string expected = "expected a closed surface with outward faces";
-  std::string line = path;
-  line.append(": cannot be simulated, ").append(expected);
-  all.append(all.empty() ? "" : "; ").append(path).append(": ");
-  for (const std::string& defect : defects) {
-    if (!std::holds_alternative<FileShape>(body.shape))
-      lines.push_back(std::string(path).append(": ").append(defect));
-    all.append(&defect == &defects.front() ? "" : "; ").append(defect);
+  /// Looks at the shape at `path`; true when it is good.
+  bool check(const SurfaceShape& shape, const std::string& path) {
+    const std::vector<std::string> defects = defectsOf(shape, path);
+    if (defects.empty()) return true;
+    all_.append(all_.empty() ? "" : "; ").append(path).append(": ");
+    for (const std::string& defect : defects) {
+      if (!std::holds_alternative<FileShape>(shape)) lines_.push_back(path + ": " + defect);
+      all_.append(&defect == &defects.front() ? "" : "; ").append(defect);
+    }
+    lines_.push_back(path + ": " + what_ + ", " + expected_);
+    all_.append(", ").append(expected_);
+    return false;
   }
-  lines.push_back(std::move(line));
-  all.append(", ").append(expected);
-}
+
+  /// Throws BadSurfaces when one was not.
+  void finish() {
+    if (all_.empty()) return;
+    lines_.insert(lines_.begin(), checked_.notes.begin(), checked_.notes.end());
+    const std::string file = checked_.file.string() + ": ";
+    for (std::string& line : lines_) line.insert(0, file);
+    throw BadSurfaces(file + all_, std::move(lines_));
+  }
+
+ private:
+  std::vector<std::string> defectsOf(const SurfaceShape& shape, const std::string& path) {
+    const std::filesystem::path& directory = checked_.loaded.scenario.directory;
+    const auto* from_file = std::get_if<FileShape>(&shape);
+    if (!from_file) return spoiling(inspectSurface(makeSurface(shape)), spoils_);
+    // Assimp may crash on a damaged file, or never end.
+    tryReading(directory / from_file->file, [&] { loadSurface(*from_file, directory); });
+    const FileSurface surface = loadSurface(*from_file, directory);
+    noteSurface(surface, path, checked_.notes);
+    return spoiling(surface.left, spoils_);
+  }
+
+  CheckedScenario& checked_;
+  std::string what_, expected_;
+  Spoils spoils_;
+  std::string all_;
+  std::vector<std::string> lines_;
+};
 
 void checkBodies(CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
-  std::string all;
-  std::vector<std::string> lines;
+  SurfaceReport report(checked, "cannot be simulated", "expected a closed surface with outward faces",
+                       spoilsBody);
   for (const BodySettings& body : scenario.bodies) {
-    const std::string path = "bodies." + body.name + ".shape";
-    const std::vector<std::string> defects = defectsOf(body, path, scenario.directory, checked.notes);
-    if (!defects.empty())
-      reportDefects(body, path, defects, all, lines);
-    else if (!body.fixed.empty())
+    if (report.check(body.shape, "bodies." + body.name + ".shape") && !body.fixed.empty())
       checkFixed(checked.file.string(), body, placeBody(body, scenario.directory));
   }
-  if (all.empty()) return;
-  lines.insert(lines.begin(), checked.notes.begin(), checked.notes.end());
-  for (std::string& line : lines) line.insert(0, checked.file.string() + ": ");
-  throw BadSurfaces(checked.file.string() + ": " + all, std::move(lines));
+  report.finish();
+}
+
+/// Bullet's soft bodies meet convex solids alone.
+void checkConvex(const CheckedScenario& checked, const SceneTool& tool) {
+  for (const PipelineSettings& entry : checked.loaded.scenario.pipelines) {
+    if ((entry.usesSdf() || entry.usesClusters()) && !(tool.closed && isConvex(tool.surface)))
+      throw InputError(checked.file.string() + ": tools." + tool.name + ".shape is not convex and closed, " +
+                       "and run " + entry.name + " (pipeline " + entry.pipeline +
+                       ") needs that, expected pipelines raycast and fukuhara alone");
+  }
+}
+
+void checkTools(CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  SurfaceReport report(checked, "cannot be used", "expected faces that agree about the outside", spoilsTool);
+  for (const ToolSettings& tool : scenario.tools) report.check(tool.shape, "tools." + tool.name + ".shape");
+  report.finish();
+  for (const SceneTool& tool : buildScene(scenario, false).tools) checkConvex(checked, tool);
 }
 
 /// Seconds until the last tool stands still; reads every log.
@@ -136,6 +171,7 @@ CheckedScenario checkScenario(const std::filesystem::path& file, const Selection
   if (!selection.expectations) scenario.expect.clear();
   checked.loaded.resolved = toYaml(scenario);
   checkBodies(checked);
+  checkTools(checked);
   const double longest_s = longestMotion_s(scenario);
   checked.duration_s = scenario.time.duration_s.value_or(longest_s);
   const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);

@@ -55,8 +55,10 @@ void printScene(const CheckedScenario& checked) {
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const ToolSettings& tool : scenario.tools) {
-    std::cout << "  tool " << tool.name << ": "
-              << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
+    std::cout << "  tool " << tool.name << ": ";
+    if (!std::holds_alternative<BoxShape>(tool.shape))
+      std::cout << makeSurface(tool.shape, scenario.directory).faces.size() << " triangles, ";
+    std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     std::cout << "\n";
     printReplay(tool, scenario.directory);

@@ -22,8 +22,9 @@ inline constexpr double kCoordinateLimit_m = 1e6;
 /// What one step looks like from outside any detector (METHOD section 7).
 struct Penetration {
   /// The larger of (a) over tool samples inside a body (its winding number above 0.5) the distance to that
-  /// body's surface, (b) over soft vertices inside a tool the distance to the tool's surface. 0 when there
-  /// are none. NaN when a position is not finite or beyond kCoordinateLimit_m.
+  /// body's surface, (b) over soft vertices inside a tool the distance to the tool's surface; an open tool
+  /// has no inside, and only (a). 0 when there are none. NaN when a position is not finite or beyond
+  /// kCoordinateLimit_m.
   double depth_m = 0;
   /// Tool samples that have passed right through a body at least once since the start (Passage).
   long long passed_through = 0;
@@ -40,7 +41,7 @@ struct Penetration {
 /// tool nodes.
 class PenetrationMeter {
  public:
-  /// Throws InputError for a tool without an inside or a spacing that is too fine.
+  /// Throws InputError for a spacing that is too fine.
   PenetrationMeter(const Scene& scene, const MeasureSettings& settings);
 
   /// The state of the next step; steps must come in order for passed_through.

@@ -4,6 +4,14 @@
 
 namespace fissure {
 
+PenetrationProbe::PenetrationProbe(const Scene& scene, const MeasureSettings& settings)
+    : meter_(scene, settings) {
+  for (const SceneTool& tool : scene.tools)
+    if (!tool.closed) not_measured_ += (not_measured_.empty() ? "" : ", ") + tool.name;
+  if (!not_measured_.empty())
+    not_measured_ = "depth of tissue vertices in tools whose surface is open: " + not_measured_;
+}
+
 void PenetrationProbe::declare(RecordLayout& layout) {
   depth_column_ = layout.add({.name = "penetration_depth",
                               .units = "m",
@@ -44,6 +52,7 @@ void PenetrationProbe::summarize(Summary& summary) const {
   summary.push_back(countOrMissing("passed_through_samples", sampled_, last_.passed_through));
   summary.push_back(countOrMissing("max_inverted_triangles", sampled_, max_inverted_));
   summary.push_back({"tool_samples", meter_.sampleCount()});
+  if (!not_measured_.empty()) summary.push_back({"not_measured", not_measured_});
 }
 
 }  // namespace fissure

@@ -11,7 +11,7 @@ namespace fissure {
 class PenetrationProbe : public Probe {
  public:
   /// Throws InputError as PenetrationMeter does.
-  PenetrationProbe(const Scene& scene, const MeasureSettings& settings) : meter_(scene, settings) {}
+  PenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
   void declare(RecordLayout& layout) override;
   void sample(const State& state, RecordRow& row) override;
@@ -19,6 +19,7 @@ class PenetrationProbe : public Probe {
 
  private:
   PenetrationMeter meter_;
+  std::string not_measured_;  ///< one line; empty: all was
   Penetration last_;
   bool sampled_ = false;
   RunningMax max_depth_m_;

@@ -7,10 +7,10 @@
 
 namespace fissure {
 
-/// A tool as a solid: how deep inside it, or how far outside, a point is.
+/// A tool as a solid: how deep inside it, or how far outside, a point is. A tool whose surface is open has no
+/// inside: every point is outside of it.
 class ToolShape {
  public:
-  /// Throws InputError when the tool is not a box and its surface is not closed: it has no inside to measure.
   explicit ToolShape(const SceneTool& tool);
 
   /// Distance to the tool's surface, metres, for a point in the tool's frame: negative inside, exact on both
@@ -18,6 +18,7 @@ class ToolShape {
   double signedDistance_m(const Vec3& in_tool, double limit_m) const;
 
  private:
+  bool closed_;
   std::optional<Vec3> half_size_m_;
   std::optional<SurfaceTree> surface_;
 };

@@ -171,6 +171,20 @@ bool spoilsTool(DefectKind kind) {
   }
 }
 
+bool hasInside(const TriangleMesh& mesh) {
+  const std::vector<Defect> defects = inspectSurface(mesh);
+  return std::none_of(defects.begin(), defects.end(), [](const Defect& defect) {
+    switch (defect.kind) {
+      case DefectKind::boundary_edges:
+      case DefectKind::non_manifold_edges:
+      case DefectKind::no_volume:
+        return true;
+      default:
+        return spoilsTool(defect.kind);
+    }
+  });
+}
+
 std::vector<std::string> findDefects(const TriangleMesh& mesh) {
   std::vector<std::string> lines;
   for (const Defect& defect : inspectSurface(mesh))

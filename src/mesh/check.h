@@ -46,6 +46,9 @@ bool spoilsBody(DefectKind kind);
 /// neighbours that disagree about the outside. One that is open can: it only has no inside.
 bool spoilsTool(DefectKind kind);
 
+/// True when points can be told to lie inside the surface: it is closed, with outward faces.
+bool hasInside(const TriangleMesh& mesh);
+
 /// The lines of those defects that spoil a soft body.
 std::vector<std::string> findDefects(const TriangleMesh& mesh);
 

@@ -23,9 +23,12 @@ TriangleMesh makeShape(const FileShape& shape, const Folder& directory) {
 
 }  // namespace
 
+TriangleMesh makeSurface(const SurfaceShape& shape, const Folder& directory) {
+  return std::visit([&](const auto& alternative) { return makeShape(alternative, directory); }, shape);
+}
+
 TriangleMesh placeBody(const BodySettings& body, const Folder& directory) {
-  return placeBody(body,
-                   std::visit([&](const auto& shape) { return makeShape(shape, directory); }, body.shape));
+  return placeBody(body, makeSurface(body.shape, directory));
 }
 
 TriangleMesh placeBody(const BodySettings& body, TriangleMesh shape) {

@@ -1,10 +1,13 @@
 #include "run/build_scene.h"
 
+#include "base/error.h"
+#include "contact/centroid_nodes.h"
 #include "contact/grid_nodes.h"
+#include "mesh/check.h"
 #include "mesh/file_surface.h"
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
-#include "mesh/primitives.h"
+#include "mesh/subdivide.h"
 
 namespace fissure {
 
@@ -20,6 +23,35 @@ SceneBody makeBody(const BodySettings& body, const std::filesystem::path& direct
   return {.name = body.name, .rest = placeBody(body, directory)};
 }
 
+ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
+  const NodeSettings& nodes = tool.nodes;
+  if (tool.nodePlacement() == "grid")
+    return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_faces);
+  const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
+  if (!nodes.max_spacing_m) return makeCentroidNodes(surface, settings);
+  constexpr std::size_t most_nodes = 131072;
+  TriangleMesh fine = surface;
+  if (!subdivide(fine, *nodes.max_spacing_m, most_nodes))
+    throw InputError("tools." + tool.name + ".nodes.max_spacing_m: makes more than " +
+                     std::to_string(most_nodes) + " nodes, expected a larger spacing");
+  return makeCentroidNodes(fine, settings);
+}
+
+SceneTool makeTool(const ToolSettings& tool, const std::filesystem::path& directory, bool with_nodes) {
+  SceneTool made{.name = tool.name};
+  if (const auto* shape = std::get_if<FileShape>(&tool.shape)) {
+    FileSurface surface = loadSurface(*shape, directory);
+    made.surface = std::move(surface.mesh);
+    made.repairs = std::move(surface.repairs);
+  } else {
+    made.surface = makeSurface(tool.shape);
+  }
+  if (const auto* box = std::get_if<BoxShape>(&tool.shape)) made.box_size_m = box->size_m;
+  made.closed = hasInside(made.surface);
+  if (with_nodes) made.nodes = makeNodes(tool, made.surface);
+  return made;
+}
+
 }  // namespace
 
 Scene buildScene(const Scenario& scenario, bool with_nodes) {
@@ -32,12 +64,9 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
     scene.bodies.push_back(std::move(placed));
   }
   for (const ToolSettings& tool : scenario.tools) {
-    scene.tools.push_back(
-        {.name = tool.name,
-         .surface = makeBox(tool.shape.size_m),
-         .box_size_m = tool.shape.size_m,
-         .nodes = with_nodes ? makeGridNodes(tool.shape.size_m, tool.nodes.resolution) : ToolNodes{},
-         .first_node = scene.nodeCount()});
+    SceneTool made = makeTool(tool, scenario.directory, with_nodes);
+    made.first_node = scene.nodeCount();
+    scene.tools.push_back(std::move(made));
   }
   if (scenario.ground) scene.ground_height_m = scenario.ground->height_m;
   return scene;

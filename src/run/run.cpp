@@ -39,12 +39,15 @@ std::string format(const char* pattern, double value) {
   return text;
 }
 
-/// "body: repair; repair; other body: repair", or "".
+/// "name: repair; repair; other name: repair", or "".
 std::string repairsOf(const Scene& scene) {
   std::string text;
-  for (const SceneBody& body : scene.bodies)
-    for (std::size_t i = 0; i < body.repairs.size(); ++i)
-      text += (text.empty() ? "" : "; ") + (i == 0 ? body.name + ": " : "") + body.repairs[i];
+  const auto add = [&](const std::string& name, const std::vector<std::string>& repairs) {
+    for (std::size_t i = 0; i < repairs.size(); ++i)
+      text += (text.empty() ? "" : "; ") + (i == 0 ? name + ": " : "") + repairs[i];
+  };
+  for (const SceneBody& body : scene.bodies) add(body.name, body.repairs);
+  for (const SceneTool& tool : scene.tools) add(tool.name, tool.repairs);
   return text;
 }
 

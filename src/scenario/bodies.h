@@ -56,6 +56,8 @@ struct FileShape {
   bool operator==(const FileShape&) const = default;
 };
 
+using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileShape>;
+
 /// Bullet's btSoftBody::Material, for all links of a body. Dimensionless, 0..1.
 struct MaterialSettings {
   double linear_stiffness = 1.0;   ///< m_kLST
@@ -127,7 +129,7 @@ struct FixedRegion {
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
-  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape> shape;
+  SurfaceShape shape;
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
   double mass_kg = 0.1;                 ///< of the whole body, > 0; the share of fixed vertices never moves

@@ -44,6 +44,7 @@ class Checker {
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);
 void checkTool(Checker check, const ToolSettings& tool);
+void checkShape(Checker check, const SurfaceShape& shape);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);

@@ -57,19 +57,25 @@ void describe(Io& io, ReplayMotion& m) {
 
 template <class Io>
 void describe(Io& io, NodeSettings& n) {
-  io.field("resolution", n.resolution);
+  io.choice("placement", n.placement, catalog().node_placements);
+  const bool grid = n.placement == "grid";
+  io.fieldIf(grid, "placement grid", "resolution", n.resolution);
+  io.fieldIf(grid, "placement grid", "narrow_faces", n.narrow_faces);
+  io.fieldIf(!grid, "placement centroids", "max_spacing_m", n.max_spacing_m);
+  io.fieldIf(!grid, "placement centroids", "pairing_limit", n.pairing_limit);
+  io.fieldIf(!grid, "placement centroids", "lone_nodes", n.lone_nodes);
+  io.fieldIf(!grid, "placement centroids", "rim_nodes", n.rim_nodes);
 }
 
 template <class Io>
 void describe(Io& io, ToolSettings& t) {
-  std::variant<BoxShape> shape = t.shape;
   io.required("name", t.name);
-  io.tagged("shape", shape, catalog().tool_shapes);
+  io.tagged("shape", t.shape, catalog().tool_shapes);
+  t.nodes.placement = t.nodePlacement();
   io.field("nodes", t.nodes);
   io.field("friction", t.friction);
   io.field("force_limit_N", t.force_limit_N);
   io.tagged("motion", t.motion, catalog().motions);
-  t.shape = std::get<BoxShape>(shape);
 }
 
 template <class Io>

@@ -52,6 +52,9 @@ std::vector<Path> resolveInputs(Scenario& scenario, const YamlNode& root) {
           resolve(shape->file, "bodies." + body.name + ".shape.file", "mesh", root, scenario.directory));
   }
   for (ToolSettings& tool : scenario.tools) {
+    if (auto* shape = std::get_if<FileShape>(&tool.shape))
+      files.push_back(
+          resolve(shape->file, "tools." + tool.name + ".shape.file", "mesh", root, scenario.directory));
     if (auto* replay = std::get_if<ReplayMotion>(&tool.motion))
       files.push_back(
           resolve(replay->file, "tools." + tool.name + ".motion.file", "log", root, scenario.directory));

@@ -11,17 +11,17 @@ namespace fissure {
 
 namespace {
 
-void checkShape(Checker check, const SphereShape& sphere) {
+void checkAlternative(Checker check, const SphereShape& sphere) {
   check.positive("radius_m", sphere.radius_m);
   check.between("subdivisions", sphere.subdivisions, 0, 7);
 }
 
-void checkShape(Checker check, const BoxShape& box) {
+void checkAlternative(Checker check, const BoxShape& box) {
   check.positive("size_m", box.size_m);
 }
 
 /// What can be said without topology; mesh/ checks that the surface is closed and oriented.
-void checkShape(Checker check, const TrianglesShape& triangles) {
+void checkAlternative(Checker check, const TrianglesShape& triangles) {
   constexpr std::size_t max_faces = 131072;  // those of a sphere with 7 subdivisions
   const int vertices = static_cast<int>(triangles.vertices_m.size());
   check.require(vertices >= 4, "vertices_m",
@@ -43,7 +43,7 @@ void checkShape(Checker check, const TrianglesShape& triangles) {
 }
 
 /// What can be said without the file.
-void checkShape(Checker check, const FileShape& shape) {
+void checkAlternative(Checker check, const FileShape& shape) {
   check.require(!shape.file.empty(), "file", "is empty, expected the name of a mesh file");
   check.notNegative("weld_tolerance_m", shape.weld_tolerance_m);
   std::set<std::string> seen;
@@ -104,8 +104,12 @@ void checkFixed(Checker check, const FixedRegion& region) {
 
 }  // namespace
 
+void checkShape(Checker check, const SurfaceShape& shape) {
+  std::visit([&](const auto& alternative) { checkAlternative(check, alternative); }, shape);
+}
+
 void checkBody(Checker check, const BodySettings& body) {
-  std::visit([&](const auto& shape) { checkShape(check.in("shape"), shape); }, body.shape);
+  checkShape(check.in("shape"), body.shape);
   check.finite("position_m", body.position_m);
   check.unit("orientation", body.orientation);
   check.positive("mass_kg", body.mass_kg);

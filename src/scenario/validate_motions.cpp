@@ -3,6 +3,7 @@
 #include <set>
 #include <string>
 
+#include "scenario/catalog.h"
 #include "scenario/checker.h"
 
 namespace fissure {
@@ -114,9 +115,15 @@ double scriptDuration(const ScriptMotion& motion) {
 }
 
 void checkTool(Checker check, const ToolSettings& tool) {
-  check.in("shape").positive("size_m", tool.shape.size_m);
+  checkShape(check.in("shape"), tool.shape);
   Checker nodes = check.in("nodes");
+  const std::string placement = tool.nodePlacement();
+  nodes.oneOf("placement", placement, catalog().node_placements);
+  nodes.require(placement != "grid" || std::holds_alternative<BoxShape>(tool.shape), "placement",
+                "is grid, expected centroids: only a box has large faces for a grid");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
+  if (tool.nodes.max_spacing_m) nodes.positive("max_spacing_m", *tool.nodes.max_spacing_m);
+  nodes.positive("pairing_limit", tool.nodes.pairing_limit);
   check.notNegative("friction", tool.friction);
   if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
   std::visit([&](const auto& motion) { checkMotion(check.in("motion"), motion); }, tool.motion);

@@ -53,7 +53,7 @@ class Allocated : public testing::Test {
     const PipelineSettings entry{.name = "p", .pipeline = pipeline};
     Scene scene;
     scene.bodies.push_back({.name = "sphere", .rest = placeBody(scenario.bodies[0])});
-    const Vec3 size_m = scenario.tools[0].shape.size_m;
+    const Vec3 size_m = std::get<BoxShape>(scenario.tools[0].shape).size_m;
     scene.tools.push_back({.name = "spatula", .surface = makeBox(size_m), .box_size_m = size_m});
     if (entry.usesNodes()) scene.tools[0].nodes = makeGridNodes(size_m, scenario.tools[0].nodes.resolution);
     const Pose above{.position_m = Vec3(0, 1, 0), .orientation = Quat::Identity()};

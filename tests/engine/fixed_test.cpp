@@ -32,9 +32,9 @@ Scene sceneOf(const Scenario& scenario) {
     scene.bodies.back().fixed_vertices = fixedVertices(body, scene.bodies.back().rest);
   }
   for (const ToolSettings& tool : scenario.tools) {
-    scene.tools.push_back({.surface = makeBox(tool.shape.size_m),
-                           .box_size_m = tool.shape.size_m,
-                           .nodes = makeGridNodes(tool.shape.size_m, {8, 8})});
+    scene.tools.push_back({.surface = makeSurface(tool.shape),
+                           .box_size_m = std::get<BoxShape>(tool.shape).size_m,
+                           .nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, {8, 8})});
   }
   return scene;
 }
@@ -59,7 +59,7 @@ TEST_P(FixedVerticesIn, DoNotMoveWhateverPressesOnThem) {
   scenario.bodies[0].solver.velocity_iterations = GetParam().velocity_iterations;
   scenario.bodies[0].solver.drift_iterations = GetParam().velocity_iterations;
   scenario.tools.resize(1);
-  scenario.tools[0].shape.size_m = Vec3(0.06, 0.01, 0.06);
+  scenario.tools[0].shape = BoxShape{Vec3(0.06, 0.01, 0.06)};
   scenario.ground = GroundSettings{.height_m = -0.028};  // higher than the lowest vertices
   const Scene scene = sceneOf(scenario);
   const std::vector<int>& fixed = scene.bodies[0].fixed_vertices;

@@ -33,7 +33,7 @@ BodySettings soft(const decltype(BodySettings::shape)& shape) {
 
 ToolSettings plate(const Vec3& size_m, double mu) {
   ToolSettings tool;
-  tool.shape.size_m = size_m;
+  tool.shape = BoxShape{size_m};
   tool.nodes.resolution = {24, 16};
   tool.friction = mu / 0.5;
   return tool;
@@ -49,10 +49,11 @@ class World {
     scenario_.tools = tools;
     scene_.bodies.push_back({.name = body.name, .rest = placeBody(body)});
     for (const ToolSettings& tool : tools) {
-      scene_.tools.push_back({.surface = makeBox(tool.shape.size_m),
-                              .box_size_m = tool.shape.size_m,
-                              .nodes = makeGridNodes(tool.shape.size_m, tool.nodes.resolution),
-                              .first_node = scene_.nodeCount()});
+      scene_.tools.push_back(
+          {.surface = makeSurface(tool.shape),
+           .box_size_m = std::get<BoxShape>(tool.shape).size_m,
+           .nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution),
+           .first_node = scene_.nodeCount()});
     }
     const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
     simulation_ = makeSimulation(scenario_, entry, scene_, poses_);

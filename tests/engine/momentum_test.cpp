@@ -41,7 +41,7 @@ class World {
     body.solver.dynamic_friction = 0.5;
     scenario_.bodies = {body};
     scenario_.tools.resize(1);
-    scenario_.tools[0].shape.size_m = tool_size_m;
+    scenario_.tools[0].shape = BoxShape{tool_size_m};
     scene_.bodies.push_back({.name = body.name, .rest = placeBody(body)});
     scene_.tools.push_back({.name = "plate", .surface = makeBox(tool_size_m), .box_size_m = tool_size_m});
     scene_.tools[0].nodes = makeGridNodes(tool_size_m, {16, 16});

@@ -41,9 +41,11 @@ Scene sceneOf(const Scenario& scenario, bool with_nodes) {
                             .first_vertex = scene.vertexCount(),
                             .first_face = scene.faceCount()});
   for (const ToolSettings& tool : scenario.tools) {
-    scene.tools.push_back(
-        {.name = tool.name, .surface = makeBox(tool.shape.size_m), .box_size_m = tool.shape.size_m});
-    if (with_nodes) scene.tools.back().nodes = makeGridNodes(tool.shape.size_m, tool.nodes.resolution);
+    scene.tools.push_back({.name = tool.name,
+                           .surface = makeSurface(tool.shape),
+                           .box_size_m = std::get<BoxShape>(tool.shape).size_m});
+    if (with_nodes)
+      scene.tools.back().nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution);
   }
   return scene;
 }
@@ -144,7 +146,7 @@ TEST(Simulation, TwoToolsFeelTheirPartsOfTheForce) {
   for (const std::string pipeline : {"default", "fukuhara"}) {
     Scenario scenario = press();
     std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
-    scenario.tools[0].shape.size_m = Vec3(0.015, 0.002, 0.03);
+    scenario.tools[0].shape = BoxShape{Vec3(0.015, 0.002, 0.03)};
     scenario.tools.push_back(scenario.tools[0]);
     scenario.tools[1].name = "second";
     scenario.force.push_back({.name = "linear", .model = "linear_elastic"});
@@ -241,7 +243,7 @@ TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
 // them.
 TEST(Simulation, AToolThatStartsInTissueThrowsNothing) {
   Scenario scenario = press();
-  scenario.tools[0].shape.size_m = Vec3(0.04, 0.01, 0.015);
+  scenario.tools[0].shape = BoxShape{Vec3(0.04, 0.01, 0.015)};
   const Scene scene = sceneOf(scenario, true);
   std::vector<double> rings;
   for (const Vec3& vertex : scene.bodies[0].rest.vertices_m) rings.push_back(vertex.y());

@@ -91,7 +91,8 @@ Scene makeScene(const std::vector<TriangleMesh>& bodies, const std::vector<Vec3>
         {"body" + std::to_string(scene.bodies.size()), mesh, scene.vertexCount(), scene.faceCount()});
   }
   for (const Vec3& size : box_tools) {
-    scene.tools.push_back({"tool" + std::to_string(scene.tools.size()), makeBox(size), size, {}, 0});
+    scene.tools.push_back(
+        {.name = "tool" + std::to_string(scene.tools.size()), .surface = makeBox(size), .box_size_m = size});
   }
   return scene;
 }

@@ -289,7 +289,7 @@ TEST(Validate, MeshFiles) {
 TEST(Validate, Scripts) {
   expectProblems({
       {"tools.1.name", [](Scenario& s) { s.tools[1].name = "blade"; }},
-      {"tools.blade.shape.size_m", [](Scenario& s) { s.tools[0].shape.size_m.y() = 0; }},
+      {"tools.blade.shape.size_m", [](Scenario& s) { std::get<BoxShape>(s.tools[0].shape).size_m.y() = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[1] = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[0] = 513; }},
       {"tools.blade.friction", [](Scenario& s) { s.tools[0].friction = -1; }},

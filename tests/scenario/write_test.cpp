@@ -258,7 +258,7 @@ TEST(Configs, EachOneLoadsAndRoundTripsAndSaysWhatItStresses) {
 void expectPressedFrom6To25mm(const Scenario& s) {
   const double radius_m = std::get<SphereShape>(s.bodies.at(0).shape).radius_m;
   const double top_m = s.bodies[0].position_m.y() + radius_m;
-  const double half_thickness_m = s.tools.at(0).shape.size_m.y() / 2;
+  const double half_thickness_m = std::get<BoxShape>(s.tools.at(0).shape).size_m.y() / 2;
   const auto& motion = std::get<ScriptMotion>(s.tools[0].motion);
   EXPECT_NEAR(motion.start_m.y() - half_thickness_m - top_m, 0.006, 1e-12);
   EXPECT_NEAR(top_m - (motion.segments.at(0).move_to_m.value().y() - half_thickness_m), 0.025, 1e-12);
