@@ -15,10 +15,11 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 18> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 19> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
+                                        {"clamp openings", tables.clamp_openings},
                                         {"motions", tables.motions},
                                         {"timings", tables.timings},
                                         {"interpolations", tables.interpolations},

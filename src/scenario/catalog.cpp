@@ -24,6 +24,8 @@ const Catalog& catalog() {
                       {"triangles", "a closed surface from plain arrays"},
                       {"file", "a closed surface from an STL, OBJ, PLY or OFF file, in a stated unit"}},
       .tool_shapes = {{"box", "full edge lengths; nodes on a grid on both large faces"}},
+      .clamp_openings = {{"parallel", "both jaws slide apart; openings in metres"},
+                         {"hinged", "both jaws turn about one axis; openings in degrees"}},
       .motions = {{"script", "waypoints and holds"}, {"replay", "a recorded hand motion from a text file"}},
       .timings = {{"constant", "constant speed"},
                   {"trapezoidal", "constant acceleration, cruise, constant deceleration"},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,10 @@ class Checker {
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);
 void checkTool(Checker check, const ToolSettings& tool);
+void checkClamp(Checker check, const ToolSettings& clamp);
+void checkOpenings(Checker check, const ScriptMotion& motion, const std::optional<ClampSettings>& clamp);
+void checkOpenings(Checker check, const ReplayMotion& motion, const std::optional<ClampSettings>& clamp);
+void checkJawNames(Checker check, const std::vector<ToolSettings>& tools);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);
