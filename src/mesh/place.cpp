@@ -14,6 +14,10 @@ TriangleMesh makeShape(const SphereShape& sphere, const Folder&) {
 TriangleMesh makeShape(const BoxShape& box, const Folder&) {
   return makeBox(box.size_m);
 }
+TriangleMesh makeShape(const CapsuleShape& capsule, const Folder&) {
+  return makeCapsule(capsule.radius_m, capsule.length_m, capsule.subdivisions,
+                     static_cast<int>(capsule.rows()));
+}
 TriangleMesh makeShape(const TrianglesShape& given, const Folder&) {
   return {given.vertices_m, given.faces};
 }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/capsule.h"
 
 namespace fissure {
 
@@ -127,7 +128,7 @@ struct FixedRegion {
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
-  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape> shape;
+  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, CapsuleShape> shape;
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
   double mass_kg = 0.1;                 ///< of the whole body, > 0; the share of fixed vertices never moves

@@ -68,6 +68,7 @@ double triangleCount(const Scenario& scenario) {
     if (const auto* list = std::get_if<TrianglesShape>(&body.shape))
       count += static_cast<double>(list->faces.size());
     if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
+    if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) count += capsule->triangles();
   }
   return count;
 }
