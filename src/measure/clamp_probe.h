@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "base/probe.h"
 #include "base/scene.h"
 #include "measure/statistics.h"
@@ -33,8 +35,7 @@ class ClampProbe : public Probe {
   std::vector<double> final_reactions_N_;
   std::size_t force_column_ = 0;
   std::size_t reaction_column_ = 0;
-  std::size_t opening_column_ = 0;
-  std::size_t angle_column_ = 0;
+  std::optional<std::size_t> opening_column_, angle_column_;  ///< where a clamp of that kind is
 };
 
 }  // namespace fissure

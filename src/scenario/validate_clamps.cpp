@@ -23,6 +23,11 @@ void checkWholePart(Checker check, const ClampPart& part) {
   checkPart(check, part, "position_m", "orientation");
 }
 
+/// To a micrometre, without what rounding adds.
+std::string millimetres(double length_m) {
+  return formatReal(std::round(1e6 * length_m) / 1e3);
+}
+
 /// Jaws that keep to their own side below the hinge never meet each other, however they open.
 void checkSide(Checker check, const ClampSettings& clamp, const ClampPart& jaw, double side,
                const char* position) {
@@ -35,13 +40,13 @@ void checkSide(Checker check, const ClampSettings& clamp, const ClampPart& jaw, 
     highest_m = std::max(highest_m, point_m.y());
   }
   check.require(innermost_m >= -slack_m, position,
-                "puts the jaw " + formatReal(-innermost_m) +
-                    " m beyond the clamp's plane x = 0, where it meets the other one, expected it on the " +
+                "puts the jaw " + millimetres(-innermost_m) +
+                    " mm beyond the clamp's plane x = 0, where it meets the other one, expected it on the " +
                     (side > 0 ? "right (x >= 0)" : "left (x <= 0)"));
   check.require(clamp.opening == ClampOpening::parallel || highest_m <= clamp.hinge_height_m + slack_m,
                 position,
-                "puts the jaw " + formatReal(highest_m - clamp.hinge_height_m) +
-                    " m above the hinge, where it meets the other one when they open, expected it below");
+                "puts the jaw " + millimetres(highest_m - clamp.hinge_height_m) +
+                    " mm above the hinge, where it meets the other one when they open, expected it below");
 }
 
 /// An opening in the unit of the clamp's kind, between `least` and what such jaws can do.
