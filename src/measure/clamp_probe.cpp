@@ -8,7 +8,7 @@ ClampProbe::ClampProbe(const Scenario& scenario, const Scene& scene)
     : clamps_(scene.clamps),
       tools_(scene.tools.size()),
       largest_(scenario.force.size() * scene.clamps.size()),
-      final_reactions_N_(scene.clamps.size(), kMissing) {
+      final_reactions_N_(scene.clamps.size()) {
   for (const ForceSettings& law : scenario.force) laws_.push_back(law.name);
 }
 
@@ -54,7 +54,7 @@ void ClampProbe::sample(const State& state, RecordRow& row) {
         known ? Vec3(state.tool_reactions_N[clamp.left_tool] + state.tool_reactions_N[clamp.right_tool])
               : Vec3(Vec3::Constant(kMissing));
     writeVector(reaction_N, reaction_column_ + 3 * c, row);
-    final_reactions_N_[c] = reaction_N.norm();
+    final_reactions_N_[c] = known ? std::optional(reaction_N.norm()) : std::nullopt;
   }
   sampleForces(state, row);
 }
@@ -85,7 +85,7 @@ void ClampProbe::summarize(Summary& summary) const {
       add("left_max_force", largest.left_N);
       add("right_max_force", largest.right_N);
     }
-    summary.push_back({name + "final_reaction_N", final_reactions_N_[c]});
+    if (final_reactions_N_[c]) summary.push_back({name + "final_reaction_N", *final_reactions_N_[c]});
   }
 }
 

@@ -242,7 +242,7 @@ TEST_F(ClampRun, BulletDoesNotSayTheReactionsOfJaws) {
   execute();
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("clamp_reaction")->first_column]));
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("tool_reaction")->first_column]));
-  EXPECT_TRUE(std::isnan(seen.number("clamp_final_reaction_N")));
+  EXPECT_FALSE(seen.summary.contains("clamp_final_reaction_N"));
   EXPECT_GT(seen.number("clamp_left_max_force_hc_N"), 0);
 }
 
