@@ -31,10 +31,20 @@ struct SceneTool {
   std::vector<std::string> repairs = {};  ///< as a body's
 };
 
+/// Two tools that are the jaws of a clamp.
+struct SceneClamp {
+  std::string name;
+  int left_tool = 0;  ///< index in Scene::tools
+  int right_tool = 0;
+  bool hinged = false;  ///< its opening is an angle, degrees; else the way between the jaws, metres
+  TriangleMesh handle;  ///< in the clamp's frame, to be drawn; empty where nothing is drawn
+};
+
 /// The geometry of one run: what engine, measure, render and store agree on. Built once from a scenario.
 struct Scene {
   std::vector<SceneBody> bodies;
   std::vector<SceneTool> tools;
+  std::vector<SceneClamp> clamps;
   std::optional<double> ground_height_m;  ///< tissue is held above y = this height; no value: no ground
 
   int vertexCount() const {

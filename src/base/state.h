@@ -15,6 +15,12 @@ struct ToolState {
   Vec3 angular_velocity_rad_s = Vec3::Zero();  ///< scene frame, mean over the step
 };
 
+/// A clamp at the end of a step; its jaws are tools.
+struct ClampState {
+  Pose pose;
+  double opening = 0;  ///< degrees of hinged jaws, else metres
+};
+
 /// One force law evaluated over all bodies in one step. Forces act ON THE TOOLS, scene frame, newtons.
 struct ForceSample {
   Vec3 force_on_tool_N = Vec3::Zero();  ///< sum over triangles and tools
@@ -42,6 +48,7 @@ struct State {
   std::vector<Vec3> velocities_m_s;  ///< the engine's own; response none leaves them out of its displacement
   std::vector<double> masses_kg;     ///< constant over a run; 0: fixed, has no share in it
   std::vector<ToolState> tools;
+  std::vector<ClampState> clamps;
 
   std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool
@@ -52,6 +59,8 @@ struct State {
   /// Momentum the tool contacts took from the tissue in the step, over dt; with response none mass times
   /// displacement over dt squared, which takes none; NaN where the engine does not say.
   Vec3 reaction_on_tool_N = Vec3::Zero();
+  /// The same on each tool, where there are several; empty where the engine does not say how they share it.
+  std::vector<Vec3> tool_reactions_N;
   std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
   std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
   /// With at least one vertex in a colliding state: indices over all bodies, ascending; empty without force

@@ -296,8 +296,12 @@ bool RunComparison::agrees() const {
 }
 
 bool mayBeMissing(const std::string& quantity) {
-  static const std::array<const char*, 7> patterns = {
-      "reaction_force",                // not measured for Bullet's own contact
+  static const std::array<const char*, 11> patterns = {
+      "reaction_force",  // not measured for Bullet's own contact
+      "tool_reaction",
+      "clamp_reaction",
+      "jaw_opening",                   // of hinged jaws, which have
+      "jaw_angle",                     // where parallel ones have none
       "stand_off",                     // no contact
       "tools/*/node_thickness",        // no partner
       "summary/first_contact_time_s",  // no contact

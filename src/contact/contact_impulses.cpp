@@ -49,6 +49,16 @@ Vec3 ContactImpulses::total(std::span<const double> factors) const {
   return total;
 }
 
+Vec3 ContactImpulses::ofTool(int tool, std::span<const ContactConstraint> constraints,
+                             std::span<const double> factors) const {
+  Vec3 total = Vec3::Zero();
+  for (std::size_t i = 0; i < pushes_.size(); ++i) {
+    if (constraints[i].tool != tool) continue;
+    total += factors[pushes_[i].vertex] * (pushes_[i].kg_m * normals_[i] + pushes_[i].friction_kg_m);
+  }
+  return total;
+}
+
 void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses,
                               const std::vector<ToolState>& tools_before,

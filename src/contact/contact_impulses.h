@@ -34,6 +34,9 @@ class ContactImpulses {
   /// Impulse of all contacts on the tissue, times the time step: kg m; each contact's times the factor of its
   /// first vertex.
   Vec3 total(std::span<const double> factors) const;
+  /// The same of one tool's contacts. `constraints`: those of the last apply.
+  Vec3 ofTool(int tool, std::span<const ContactConstraint> constraints,
+              std::span<const double> factors) const;
 
   const DisplacementCounts& counts() const { return counts_; }
 

@@ -43,6 +43,7 @@ void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inve
   clock.lap(times_.vertex_contacts_s);
   if (patch.tools.size() > 1) noteDisplacements(positions_m);
   state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
+  shareReaction(dt_s, state.tool_reactions_N);
   clock.lap(times_.displacement_s);
   report(state, patch);
   std::copy(positions_m.begin(), positions_m.end(), before_m_.begin());
@@ -66,6 +67,15 @@ Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> i
   }
   displacement_.apply(constraints_, inverse_masses, positions_m);
   return -displacement_.movedMass(inverse_masses, positions_m, force_factors_) / (dt_s * dt_s);
+}
+
+// Enforced displacement mixes at a vertex what several tools displace there: then nobody can say.
+void NodeContact::shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N) const {
+  const std::size_t tools = put_inside_.size();
+  tool_reactions_N.resize(impulses_ && tools > 1 ? tools : 0);
+  for (std::size_t t = 0; t < tool_reactions_N.size(); ++t)
+    tool_reactions_N[t] =
+        -impulses_->ofTool(static_cast<int>(t), constraints_, force_factors_) / (dt_s * dt_s);
 }
 
 void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,

@@ -58,7 +58,7 @@ class NodeContact {
 
   /// One step, after the engine's own solve. `positions_m` are changed in place; `tools_before` are the tools
   /// at the start of the step, `tools_now` at its end. inverse_masses in 1/kg, 0: fixed. Fills node_states,
-  /// the counts and reaction of `state`, and `patch`.
+  /// the counts and reactions of `state`, and `patch`.
   void step(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
             const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now, double dt_s,
             State& state, ContactPatch& patch);
@@ -80,6 +80,7 @@ class NodeContact {
   Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
                const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
                double dt_s);
+  void shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N) const;
   void noteToolsPutInside();
   void limitDisplacement(NodeCandidate& candidate) const;
   void roughen();

@@ -59,6 +59,7 @@ class NodePipeline : public Pipeline {
     state.contact_count = counts_.contact_count;
     state.capped_count = counts_.capped_count;
     state.reaction_on_tool_N = counts_.reaction_on_tool_N;
+    state.tool_reactions_N = counts_.tool_reactions_N;
     state.timing.collision_us = counts_.timing.collision_us;
     std::swap(patch, patch_);
   }

@@ -42,6 +42,7 @@ class PrescribedPipeline : public Pipeline {
     state.candidate_count = state.contact_count;
     // What holds the vertices is not measured.
     state.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    state.tool_reactions_N.clear();
     state.timing.collision_us = 0;
   }
 

@@ -36,6 +36,7 @@ class SdfPipeline : public Pipeline {
     state.candidate_count = state.contact_count;
     // Bullet's solver does not say what its contacts took from the tissue.
     state.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    state.tool_reactions_N.clear();
     state.timing.collision_us = world_.world().detection_us;
   }
 

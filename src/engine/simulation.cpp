@@ -93,6 +93,7 @@ class BulletSimulation : public Simulation {
     state_.velocities_m_s.resize(scene.vertexCount());
     state_.masses_kg = masses(scene, world_->inverseMasses());
     state_.node_states.assign(scene.nodeCount(), NodeState::free);
+    state_.tool_reactions_N.assign(scene.tools.size() > 1 ? scene.tools.size() : 0, Vec3::Zero());
     state_.forces.assign(scenario.force.size(), ForceSample{});
     state_.tool_forces_N.assign(scenario.force.size() * scene.tools.size(), Vec3::Zero());
     collect();

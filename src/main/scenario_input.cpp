@@ -148,7 +148,14 @@ void checkConvex(const CheckedScenario& checked, const SceneTool& tool) {
 void checkTools(CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   SurfaceReport report(checked, "cannot be used", "expected faces that agree about the outside", spoilsTool);
-  for (const ToolSettings& tool : scenario.tools) report.check(tool.shape, "tools." + tool.name + ".shape");
+  for (const ToolSettings& tool : scenario.tools) {
+    const std::string path = "tools." + tool.name;
+    report.check(tool.shape, path + ".shape");
+    if (!tool.clamp) continue;
+    if (tool.clamp->left_jaw) report.check(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw.shape");
+    for (std::size_t i = 0; i < tool.clamp->handle.size(); ++i)
+      report.check(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i) + ".shape");
+  }
   report.finish();
   for (const SceneTool& tool : buildScene(scenario, false).tools) checkConvex(checked, tool);
 }

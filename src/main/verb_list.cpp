@@ -15,11 +15,12 @@ namespace {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 19> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 20> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
                                         {"node placements", tables.node_placements},
+                                        {"clamp openings", tables.clamp_openings},
                                         {"motions", tables.motions},
                                         {"timings", tables.timings},
                                         {"interpolations", tables.interpolations},

@@ -12,6 +12,7 @@
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "motion/motion.h"
+#include "scenario/rigid_tools.h"
 
 namespace fissure {
 
@@ -41,6 +42,17 @@ void printReplay(const ToolSettings& tool, const std::filesystem::path& director
   if (!counts.empty()) std::cout << "    replay: " << counts << "\n";
 }
 
+/// "jaws clamp_left and clamp_right, parallel; device axis z opens them by up to 0.04 m ..."
+void printClamp(const ToolSettings& clamp) {
+  const bool hinged = clamp.clamp->opening == ClampOpening::hinged;
+  const auto [left, right] = jawNames(clamp);
+  std::cout << "    jaws " << left << " and " << right << (hinged ? ", hinged" : ", parallel");
+  if (const auto* replay = std::get_if<ReplayMotion>(&clamp.motion))
+    std::cout << "; device axis " << replay->opening->axis << " opens them by up to "
+              << replay->opening->open() << (hinged ? " degrees" : " m") << ", the others move the clamp";
+  std::cout << "\n";
+}
+
 void printScene(const CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
@@ -55,12 +67,13 @@ void printScene(const CheckedScenario& checked) {
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const ToolSettings& tool : scenario.tools) {
-    std::cout << "  tool " << tool.name << ": ";
+    std::cout << (tool.clamp ? "  clamp " : "  tool ") << tool.name << ": ";
     if (!std::holds_alternative<BoxShape>(tool.shape))
       std::cout << makeSurface(tool.shape, scenario.directory).faces.size() << " triangles, ";
     std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     std::cout << "\n";
+    if (tool.clamp) printClamp(tool);
     printReplay(tool, scenario.directory);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";

@@ -5,6 +5,11 @@
 
 namespace fissure {
 
+ContactProbe::ContactProbe(const Scene& scene) : node_count_(static_cast<std::size_t>(scene.nodeCount())) {
+  if (scene.tools.size() < 2) return;
+  for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
+}
+
 void ContactProbe::declare(RecordLayout& layout) {
   const auto count = [&](const char* name, const char* long_name) {
     return layout.add(
@@ -21,6 +26,12 @@ void ContactProbe::declare(RecordLayout& layout) {
                                  .units = "N",
                                  .long_name = "constraint reaction of the contacts on the tools, scene frame",
                                  .axes = {"xyz"}});
+  if (tools_.empty()) return;
+  layout.addAxis({"tool", tools_});
+  tool_reaction_column_ = layout.add({.name = "tool_reaction",
+                                      .units = "N",
+                                      .long_name = "constraint reaction on each tool, scene frame",
+                                      .axes = {"tool", "xyz"}});
 }
 
 void ContactProbe::sample(const State& state, RecordRow& row) {
@@ -32,6 +43,11 @@ void ContactProbe::sample(const State& state, RecordRow& row) {
     countSwitches(state);
   }
   writeVector(state.reaction_on_tool_N, reaction_column_, row);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const bool known = !state.tool_reactions_N.empty();
+    writeVector(known ? state.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
+                tool_reaction_column_ + 3 * t, row);
+  }
 
   if (steps_ == 0) first_time_s_ = state.time_s;
   last_time_s_ = state.time_s;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "scenario/rigid_tools.h"
+
 namespace fissure {
 
 namespace {
@@ -43,7 +45,7 @@ ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene)
   for (const ForceSettings& law : scenario.force) laws_.push_back({.name = law.name});
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
   limits_N_.resize(tools_.size());
-  for (const ToolSettings& tool : scenario.tools) {
+  for (const ToolSettings& tool : rigidTools(scenario.tools)) {
     const auto at = std::find(tools_.begin(), tools_.end(), tool.name);
     if (at != tools_.end()) limits_N_[static_cast<std::size_t>(at - tools_.begin())] = tool.force_limit_N;
   }

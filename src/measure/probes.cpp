@@ -1,6 +1,7 @@
 #include "measure/probes.h"
 
 #include "measure/body_probe.h"
+#include "measure/clamp_probe.h"
 #include "measure/contact_probe.h"
 #include "measure/final_state_probe.h"
 #include "measure/force_probe.h"
@@ -18,6 +19,7 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
     probes.push_back(std::make_unique<ContactProbe>(scene));
   }
   if (!scenario.force.empty()) probes.push_back(std::make_unique<ForceProbe>(scenario, scene));
+  if (!scene.clamps.empty()) probes.push_back(std::make_unique<ClampProbe>(scenario, scene));
   probes.push_back(std::make_unique<BodyProbe>(scene));
   probes.push_back(std::make_unique<TimingProbe>(scenario.time.step_s));
   probes.push_back(std::make_unique<FinalStateProbe>());

@@ -14,6 +14,10 @@ TriangleMesh makeShape(const SphereShape& sphere, const Folder&) {
 TriangleMesh makeShape(const BoxShape& box, const Folder&) {
   return makeBox(box.size_m);
 }
+TriangleMesh makeShape(const CapsuleShape& capsule, const Folder&) {
+  return makeCapsule(capsule.radius_m, capsule.length_m, capsule.subdivisions,
+                     static_cast<int>(capsule.rows()));
+}
 TriangleMesh makeShape(const TrianglesShape& given, const Folder&) {
   return {given.vertices_m, given.faces};
 }
@@ -25,6 +29,11 @@ TriangleMesh makeShape(const FileShape& shape, const Folder& directory) {
 
 TriangleMesh makeSurface(const SurfaceShape& shape, const Folder& directory) {
   return std::visit([&](const auto& alternative) { return makeShape(alternative, directory); }, shape);
+}
+
+void mirror(TriangleMesh& mesh) {
+  for (Vec3& vertex : mesh.vertices_m) vertex.x() = -vertex.x();
+  for (Face& face : mesh.faces) std::swap(face[1], face[2]);
 }
 
 TriangleMesh placeBody(const BodySettings& body, const Folder& directory) {

@@ -11,6 +11,9 @@ namespace fissure {
 /// which says what is thrown). `directory`: where relative file names start.
 TriangleMesh makeSurface(const SurfaceShape& shape, const std::filesystem::path& directory = ".");
 
+/// Becomes its mirror image in x = 0, faces outward again.
+void mirror(TriangleMesh& mesh);
+
 /// The surface of a soft body as its scenario places it, scene frame, metres: the shape turned by the body's
 /// orientation about its own origin, then moved to the body's position. Triangles given as arrays keep their
 /// order and indices.

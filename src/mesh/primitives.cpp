@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <unordered_map>
 
 namespace fissure {
@@ -42,6 +44,31 @@ class Splitter {
   std::unordered_map<std::uint64_t, int> midpoints_;
 };
 
+/// Moves the halves of a sphere length_m apart along x, its ring in x = 0 with the left one. The ring, in the
+/// order of the turn about x.
+std::vector<int> drawApart(TriangleMesh& sphere, double length_m) {
+  std::vector<int> ring;
+  for (int v = 0; v < static_cast<int>(sphere.vertices_m.size()); ++v) {
+    double& x_m = sphere.vertices_m[v].x();
+    if (x_m == 0) ring.push_back(v);
+    x_m += x_m > 0 ? length_m / 2 : -length_m / 2;
+  }
+  const auto angle = [&](int v) { return std::atan2(sphere.vertices_m[v].z(), sphere.vertices_m[v].y()); };
+  std::sort(ring.begin(), ring.end(), [&](int a, int b) { return angle(a) < angle(b); });
+  return ring;
+}
+
+/// In faces that reach into x > 0, the vertices of `right` take the places of those of `left`.
+void giveRing(TriangleMesh& mesh, const std::vector<int>& left, const std::vector<int>& right) {
+  std::vector<int> taken(mesh.vertices_m.size());
+  std::iota(taken.begin(), taken.end(), 0);
+  for (std::size_t j = 0; j < left.size(); ++j) taken[left[j]] = right[j];
+  for (Face& face : mesh.faces) {
+    if (std::none_of(face.begin(), face.end(), [&](int v) { return mesh.vertices_m[v].x() > 0; })) continue;
+    for (int& v : face) v = taken[v];
+  }
+}
+
 }  // namespace
 
 TriangleMesh makeSphere(double radius_m, int subdivisions) {
@@ -53,6 +80,35 @@ TriangleMesh makeSphere(double radius_m, int subdivisions) {
   Splitter splitter(sphere, radius_m);
   for (int level = 0; level < subdivisions; ++level) splitter.split();
   return sphere;
+}
+
+TriangleMesh makeCapsule(double radius_m, double length_m, int subdivisions, int rows) {
+  assert(length_m > 0 && rows > 0);
+  TriangleMesh capsule = makeSphere(radius_m, subdivisions);
+  const std::vector<int> left = drawApart(capsule, length_m);
+  const std::size_t around = left.size();
+  std::vector<std::vector<int>> rings(static_cast<std::size_t>(rows) + 1, left);
+  for (int row = 1; row <= rows; ++row) {
+    for (int& v : rings[row]) {
+      Vec3 vertex_m = capsule.vertices_m[v];
+      vertex_m.x() = length_m * (static_cast<double>(row) / rows - 0.5);
+      v = static_cast<int>(capsule.vertices_m.size());
+      capsule.vertices_m.push_back(vertex_m);
+    }
+  }
+  giveRing(capsule, left, rings.back());
+  for (std::size_t row = 0; row + 1 < rings.size(); ++row) {
+    for (std::size_t j = 0; j < around; ++j) {
+      const int a = rings[row][j], b = rings[row][(j + 1) % around];
+      const int c = rings[row + 1][j], d = rings[row + 1][(j + 1) % around];
+      if ((row + j) % 2 == 0) {
+        capsule.faces.insert(capsule.faces.end(), {{a, b, c}, {b, d, c}});
+      } else {
+        capsule.faces.insert(capsule.faces.end(), {{a, b, d}, {a, d, c}});
+      }
+    }
+  }
+  return capsule;
 }
 
 TriangleMesh makeBox(const Vec3& size_m) {

@@ -9,12 +9,14 @@
 
 namespace fissure {
 
-/// A tool's pose as a function of scenario time.
+/// A tool's pose, and a clamp's opening, as functions of scenario time.
 class Motion {
  public:
   virtual ~Motion() = default;
   /// Pose at `time_s`; before 0 the first pose, after duration() the last one.
   virtual Pose poseAt(double time_s) const = 0;
+  /// Of a clamp's jaws, metres or degrees; 0 for tools that do not open. The same times as of poseAt.
+  virtual double openingAt(double) const { return 0; }
   virtual double duration_s() const = 0;
   /// Scalars for the result's summary, e.g. what a replay held, skipped or found (empty for scripts).
   virtual Summary summary() const { return {}; }

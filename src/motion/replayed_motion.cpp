@@ -29,6 +29,7 @@ ReplayedMotion::ReplayedMotion(const ReplayMotion& settings, const std::filesyst
   DeviceLog log = readDeviceLog(settings, file, where);
   times_s_ = std::move(log.times_s);
   setWindow(settings, file.string(), where);
+  if (settings.opening) opening_.emplace(*settings.opening, settings.mapping, mapping);
   count(log, settings.jump_m);
   map(log, mapping);
   if (settings.interpolation == Interpolation::monotone_cubic) computeSlopes();
@@ -58,9 +59,12 @@ void ReplayedMotion::count(const DeviceLog& log, double jump_m) {
   };
   const bool from_start = in_window(times_s_.front()), to_end = in_window(times_s_.back());
   std::size_t first_row = 0, last_row = std::numeric_limits<std::size_t>::max();
-  long long samples = 0, held = 0, gaps = 0, jumps = 0;
+  long long samples = 0, held = 0, gaps = 0, jumps = 0, saturated = 0;
   for (std::size_t i = 0; i < times_s_.size(); ++i) {
-    if (in_window(times_s_[i])) ++samples;
+    if (in_window(times_s_[i])) {
+      ++samples;
+      if (opening_ && opening_->saturates(log.positions_m[i])) ++saturated;
+    }
     // Rows outside the samples that bracket the window are not replayed; at the log's own ends there is no
     // such sample.
     if (!from_start && times_s_[i] <= 0) first_row = log.rows[i];
@@ -82,6 +86,7 @@ void ReplayedMotion::count(const DeviceLog& log, double jump_m) {
               {"replay_jumps", jumps},
               {"replay_dropped_rows", replayed(log.dropped_rows)},
               {"replay_repeated_rows", replayed(log.repeated_rows)}};
+  if (opening_) summary_.push_back({"replay_saturated_openings", saturated});
 }
 
 void ReplayedMotion::map(const DeviceLog& log, const DeviceToScene& mapping) {
@@ -115,6 +120,16 @@ bool ReplayedMotion::isGap(std::size_t before) const {
 }
 
 Pose ReplayedMotion::poseAt(double time_s) const {
+  Pose pose = handAt(time_s);
+  if (opening_) pose.position_m = opening_->inPlane(pose.position_m);
+  return pose;
+}
+
+double ReplayedMotion::openingAt(double time_s) const {
+  return opening_ ? opening_->opening(handAt(time_s).position_m) : 0;
+}
+
+Pose ReplayedMotion::handAt(double time_s) const {
   const double t = std::clamp(time_s, 0.0, duration_s_);
   const auto sample = [&](std::size_t i) {
     return Pose{positions_m_[i], orientations_[orientations_.size() == 1 ? 0 : i]};

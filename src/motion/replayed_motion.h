@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "motion/device_log.h"
+#include "motion/device_opening.h"
 #include "motion/device_to_scene.h"
 #include "motion/motion.h"
 
@@ -19,7 +21,9 @@ namespace fissure {
 ///   - a step of the device of more than jump_m between two samples (metres, before scaling) is played as it
 ///   is
 ///     and counted (replay_jumps), and so is a sample equal to the one before it, as a frozen device repeats
-///     them (replay_held_samples).
+///     them (replay_held_samples);
+///   - of a clamp one device axis is the opening and not position; beyond its limits the opening stays there,
+///     and the samples are counted (replay_saturated_openings).
 /// Counts are of what is replayed: samples (replay_samples), steps and rows between start_s and end_s.
 class ReplayedMotion final : public Motion {
  public:
@@ -28,12 +32,15 @@ class ReplayedMotion final : public Motion {
                  const std::string& where);
 
   Pose poseAt(double time_s) const override;
+  double openingAt(double time_s) const override;
   double duration_s() const override { return duration_s_; }
   /// replay_samples, replay_held_samples, replay_gaps, replay_jumps, replay_dropped_rows and
-  /// replay_repeated_rows.
+  /// replay_repeated_rows; of a clamp replay_saturated_openings.
   Summary summary() const override { return summary_; }
 
  private:
+  /// Of the hand, as the mapping has it in the scene: with the axis that opens a clamp.
+  Pose handAt(double time_s) const;
   void setWindow(const ReplayMotion& settings, const std::string& file, const std::string& where);
   void count(const DeviceLog& log, double jump_m);
   void map(const DeviceLog& log, const DeviceToScene& mapping);
@@ -45,6 +52,7 @@ class ReplayedMotion final : public Motion {
   std::vector<Vec3> slopes_m_s_;   ///< empty for linear interpolation
   std::vector<Quat>
       orientations_;  ///< scene frame, neighbours of one sign; one for all samples without quaternions
+  std::optional<OpeningAxis> opening_;
   double max_gap_s_;
   double duration_s_ = 0;
   Summary summary_;

@@ -22,18 +22,18 @@ double positive(double value, const std::string& where) {
 }
 
 double holdDuration_s(const MotionSegment& segment, const std::string& where) {
-  if (segment.move_to_m || segment.rotate_to || segment.speed_m_s || segment.duration_s)
+  if (segment.move_to_m || segment.rotate_to || segment.openTo() || segment.speed_m_s || segment.duration_s)
     throw InputError(where + ": hold_s stands beside a movement, expected it alone");
   return positive(*segment.hold_s, where + ".hold_s");
 }
 
 double moveDuration_s(const MotionSegment& segment, double distance_m, const std::string& where) {
-  if (!segment.move_to_m && !segment.rotate_to)
+  if (!segment.move_to_m && !segment.rotate_to && !segment.openTo())
     throw InputError(where + ": nothing to do, expected move_to_m, rotate_to or hold_s");
   if (segment.duration_s && segment.speed_m_s)
     throw InputError(where + ": both speed_m_s and duration_s, expected one of them");
   if (segment.duration_s) return positive(*segment.duration_s, where + ".duration_s");
-  // A speed in metres a second says nothing about a turn on the spot.
+  // A speed in metres a second says nothing about a turn on the spot, or about an opening.
   if (distance_m == 0) throw InputError(where + ": a way of no length, expected duration_s");
   if (!segment.speed_m_s) throw InputError(where + ": no timing, expected speed_m_s or duration_s");
   return distance_m / positive(*segment.speed_m_s, where + ".speed_m_s");
@@ -44,10 +44,15 @@ double moveDuration_s(const MotionSegment& segment, double distance_m, const std
 ScriptedMotion::ScriptedMotion(const ScriptMotion& settings, const std::string& where) {
   first_ = {settings.start_m, unit(settings.start_orientation, where + ".start_orientation")};
   last_ = first_;
+  first_opening_ = settings.start_opening_deg.value_or(settings.start_opening_m.value_or(0));
+  last_opening_ = first_opening_;
   for (std::size_t i = 0; i < settings.segments.size(); ++i) {
     const MotionSegment& segment = settings.segments[i];
     const std::string here = where + ".segments." + std::to_string(i);
-    Piece piece{duration_s_, 0, last_, last_, segment.timing, segment.ramp_fraction};
+    Piece piece{duration_s_,    0,
+                last_,          last_,
+                last_opening_,  segment.openTo().value_or(last_opening_),
+                segment.timing, segment.ramp_fraction};
     if (segment.move_to_m) piece.to.position_m = *segment.move_to_m;
     if (segment.rotate_to) piece.to.orientation = unit(*segment.rotate_to, here + ".rotate_to");
     // q and -q are one rotation; the nearer one makes the way the shorter arc and the output continuous.
@@ -59,20 +64,33 @@ ScriptedMotion::ScriptedMotion(const ScriptMotion& settings, const std::string& 
         segment.hold_s ? holdDuration_s(segment, here) : moveDuration_s(segment, distance_m, here);
     duration_s_ += piece.duration_s;
     last_ = piece.to;
+    last_opening_ = piece.opening_to;
     pieces_.push_back(piece);
   }
 }
 
-Pose ScriptedMotion::poseAt(double time_s) const {
-  if (pieces_.empty() || time_s >= duration_s_) return last_;
-  if (time_s <= 0) return first_;
+const ScriptedMotion::Piece* ScriptedMotion::pieceAt(double time_s, double& way) const {
+  if (pieces_.empty() || time_s >= duration_s_ || time_s <= 0) return nullptr;
   const auto after = std::upper_bound(pieces_.begin(), pieces_.end(), time_s,
                                       [](double time, const Piece& piece) { return time < piece.start_s; });
   const Piece& piece = *(after - 1);
-  const double u = (time_s - piece.start_s) / piece.duration_s;
-  const double way = wayCovered(piece.timing, piece.ramp_fraction, u);
-  return {(1 - way) * piece.from.position_m + way * piece.to.position_m,
-          piece.from.orientation.slerp(way, piece.to.orientation)};
+  way = wayCovered(piece.timing, piece.ramp_fraction, (time_s - piece.start_s) / piece.duration_s);
+  return &piece;
+}
+
+Pose ScriptedMotion::poseAt(double time_s) const {
+  double way = 0;
+  const Piece* piece = pieceAt(time_s, way);
+  if (!piece) return pieces_.empty() || time_s >= duration_s_ ? last_ : first_;
+  return {(1 - way) * piece->from.position_m + way * piece->to.position_m,
+          piece->from.orientation.slerp(way, piece->to.orientation)};
+}
+
+double ScriptedMotion::openingAt(double time_s) const {
+  double way = 0;
+  const Piece* piece = pieceAt(time_s, way);
+  if (!piece) return pieces_.empty() || time_s >= duration_s_ ? last_opening_ : first_opening_;
+  return (1 - way) * piece->opening_from + way * piece->opening_to;
 }
 
 }  // namespace fissure

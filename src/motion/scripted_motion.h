@@ -7,7 +7,7 @@
 
 namespace fissure {
 
-/// Waypoints and holds. The path is continuous; at the end of a segment the pose is exactly its target.
+/// Waypoints and holds. Path and opening are continuous; at the end of a segment both are exactly its target.
 class ScriptedMotion final : public Motion {
  public:
   /// `where`: the path of the settings in their file, for messages. Throws InputError for a segment that does
@@ -16,6 +16,7 @@ class ScriptedMotion final : public Motion {
   ScriptedMotion(const ScriptMotion& settings, const std::string& where);
 
   Pose poseAt(double time_s) const override;
+  double openingAt(double time_s) const override;
   double duration_s() const override { return duration_s_; }
 
  private:
@@ -23,13 +24,19 @@ class ScriptedMotion final : public Motion {
     double start_s = 0;
     double duration_s = 0;  ///< > 0
     Pose from;
-    Pose to;  ///< its quaternion has the sign nearest to that of `from`
+    Pose to;                  ///< its quaternion has the sign nearest to that of `from`
+    double opening_from = 0;  ///< metres or degrees
+    double opening_to = 0;
     Timing timing = Timing::constant;
     double ramp_fraction = 0.25;
   };
+  /// The piece that `time_s` is in, and the share of its way covered then; nothing outside of all pieces.
+  const Piece* pieceAt(double time_s, double& way) const;
 
   Pose first_;
   Pose last_;
+  double first_opening_ = 0;
+  double last_opening_ = 0;
   std::vector<Piece> pieces_;
   double duration_s_ = 0;
 };

@@ -123,6 +123,14 @@ std::vector<Vec3> pointsInView(const Scene& scene, const State& first) {
       }
     }
   }
+  for (std::size_t clamp = 0; clamp < std::min(scene.clamps.size(), first.clamps.size()); ++clamp) {
+    for (const Vec3& vertex_m : scene.clamps[clamp].handle.vertices_m) {
+      const Vec3 placed_m = first.clamps[clamp].pose.toScene(vertex_m);
+      if (drawable(placed_m)) {
+        points_m.push_back(placed_m);
+      }
+    }
+  }
   Eigen::AlignedBox3d box;
   for (const Vec3& point_m : points_m) {
     box.extend(point_m);

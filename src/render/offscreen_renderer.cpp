@@ -30,9 +30,10 @@ class OffscreenRenderer : public FrameSource {
 
   Image draw(const State& state, const std::vector<std::string>& lines) override {
     if (state.positions_m.size() != static_cast<std::size_t>(scene_.vertexCount()) ||
-        state.tools.size() != scene_.tools.size()) {
+        state.tools.size() != scene_.tools.size() || state.clamps.size() != scene_.clamps.size()) {
       throw RunError("frames: a state of " + std::to_string(state.positions_m.size()) + " vertices and " +
-                     std::to_string(state.tools.size()) + " tools does not fit the scene");
+                     std::to_string(state.tools.size()) + " tools, " + std::to_string(state.clamps.size()) +
+                     " clamps does not fit the scene");
     }
     mesa_.makeCurrent();
     mesa_.gl().viewport(0, 0, mesa_.width_px(), mesa_.height_px());

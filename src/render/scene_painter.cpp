@@ -61,6 +61,10 @@ ScenePainter::ScenePainter(const Scene& scene, const State& first, const Camera&
     tools_.emplace_back(tool.surface.faces, static_cast<int>(tool.surface.vertices_m.size()));
     tool_vertices_m_.push_back(tool.surface.vertices_m);
   }
+  for (const SceneClamp& clamp : scene.clamps) {
+    handles_.emplace_back(clamp.handle.faces, static_cast<int>(clamp.handle.vertices_m.size()));
+    handle_vertices_m_.push_back(clamp.handle.vertices_m);
+  }
   if (ground_height_m_) {
     ground_ = makeGroundPlane(pointsInView(scene, first), *ground_height_m_);
   }
@@ -244,6 +248,18 @@ VertexBatch ScenePainter::cutLines(const std::vector<std::vector<Vec3>>& tools_m
   return lines;
 }
 
+std::vector<ScenePainter::Placed> ScenePainter::placeHandles(const State& state) const {
+  std::vector<Placed> handles;
+  for (std::size_t clamp = 0; clamp < handles_.size(); ++clamp) {
+    std::vector<Vec3> vertices_m = handle_vertices_m_[clamp];
+    for (Vec3& vertex_m : vertices_m) {
+      vertex_m = state.clamps[clamp].pose.toScene(vertex_m);
+    }
+    handles.push_back(placeTool(handles_[clamp], vertices_m));
+  }
+  return handles;
+}
+
 void ScenePainter::paint(const GlFunctions& gl, const State& state) const {
   std::vector<Placed> bodies;
   for (const Body& body : bodies_) {
@@ -257,6 +273,9 @@ void ScenePainter::paint(const GlFunctions& gl, const State& state) const {
       vertex_m = state.tools[tool].pose.toScene(vertex_m);
     }
     tools.push_back(placeTool(tools_[tool], tools_m[tool]));
+  }
+  for (Placed& handle : placeHandles(state)) {
+    tools.push_back(std::move(handle));
   }
 
   setUp(gl);

@@ -63,13 +63,17 @@ class ScenePainter {
                   const std::vector<Placed>& tools) const;
   void drawSurface(const GlFunctions& gl, const Placed& placed) const;
   void drawHidden(const GlFunctions& gl, const Placed& tool) const;
+  /// Handles of clamps: as tools, but they cross nothing.
+  std::vector<Placed> placeHandles(const State& state) const;
   VertexBatch cutLines(const std::vector<std::vector<Vec3>>& tools_m, const State& state) const;
 
   Camera camera_;
   double line_px_ = 1;
   std::vector<Body> bodies_;
   std::vector<Surface> tools_;
-  std::vector<std::vector<Vec3>> tool_vertices_m_;  ///< in each tool's frame
+  std::vector<std::vector<Vec3>> tool_vertices_m_;    ///< in each tool's frame
+  std::vector<Surface> handles_;                      ///< one a clamp
+  std::vector<std::vector<Vec3>> handle_vertices_m_;  ///< in each clamp's frame
   std::optional<double> ground_height_m_;
   GroundPlane ground_;
 };

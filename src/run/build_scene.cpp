@@ -8,6 +8,7 @@
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
 #include "mesh/subdivide.h"
+#include "scenario/rigid_tools.h"
 
 namespace fissure {
 
@@ -47,9 +48,33 @@ SceneTool makeTool(const ToolSettings& tool, const std::filesystem::path& direct
     made.surface = makeSurface(tool.shape);
   }
   if (const auto* box = std::get_if<BoxShape>(&tool.shape)) made.box_size_m = box->size_m;
+  if (tool.mirrored) mirror(made.surface);
   made.closed = hasInside(made.surface);
   if (with_nodes) made.nodes = makeNodes(tool, made.surface);
   return made;
+}
+
+/// All parts of a handle as one surface, in the clamp's frame.
+TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const std::filesystem::path& directory) {
+  TriangleMesh handle;
+  for (const ClampPart& part : parts) {
+    const Pose pose{part.position_m, part.orientation.normalized()};
+    const TriangleMesh shape = makeSurface(part.shape, directory);
+    const int first = static_cast<int>(handle.vertices_m.size());
+    for (const Vec3& vertex_m : shape.vertices_m) handle.vertices_m.push_back(pose.toScene(vertex_m));
+    for (const Face& face : shape.faces)
+      handle.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  }
+  return handle;
+}
+
+void addClamp(const ToolSettings& clamp, const std::filesystem::path& directory, bool drawn, Scene& scene) {
+  const int left = static_cast<int>(scene.tools.size());
+  scene.clamps.push_back({.name = clamp.name,
+                          .left_tool = left,
+                          .right_tool = left + 1,
+                          .hinged = clamp.clamp->opening == ClampOpening::hinged,
+                          .handle = drawn ? makeHandle(clamp.clamp->handle, directory) : TriangleMesh{}});
 }
 
 }  // namespace
@@ -64,9 +89,12 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
     scene.bodies.push_back(std::move(placed));
   }
   for (const ToolSettings& tool : scenario.tools) {
-    SceneTool made = makeTool(tool, scenario.directory, with_nodes);
-    made.first_node = scene.nodeCount();
-    scene.tools.push_back(std::move(made));
+    if (tool.clamp) addClamp(tool, scenario.directory, scenario.record.frames.has_value(), scene);
+    for (const ToolSettings& rigid : rigidTools({tool})) {
+      SceneTool made = makeTool(rigid, scenario.directory, with_nodes);
+      made.first_node = scene.nodeCount();
+      scene.tools.push_back(std::move(made));
+    }
   }
   if (scenario.ground) scene.ground_height_m = scenario.ground->height_m;
   return scene;

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "motion/jaw_poses.h"
 #include "run/build_scene.h"
+#include "scenario/rigid_tools.h"
 
 namespace fissure {
 
@@ -71,7 +73,11 @@ bool isDue(std::int64_t step, double step_s, double every_s) {
 }
 
 Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
-    : scenario_(scenario), pipeline_(pipeline), scene_(buildScene(scenario, pipeline.usesNodes())) {
+    : scenario_(scenario),
+      engine_scenario_(scenario),
+      pipeline_(pipeline),
+      scene_(buildScene(scenario, pipeline.usesNodes())) {
+  engine_scenario_.tools = rigidTools(scenario.tools);
   double longest_s = 0;
   for (const ToolSettings& tool : scenario.tools) {
     motions_.push_back(makeMotion(tool, scenario.directory));
@@ -80,7 +86,7 @@ Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
   const double duration_s = scenario.time.duration_s.value_or(longest_s);
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
-  simulation_ = makeSimulation(scenario, pipeline, scene_, posesAt(0));
+  simulation_ = makeSimulation(engine_scenario_, pipeline, scene_, posesAt(0));
 }
 
 RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
@@ -93,8 +99,25 @@ RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
 
 std::vector<Pose> Run::posesAt(double time_s) const {
   std::vector<Pose> poses;
-  for (const auto& motion : motions_) poses.push_back(motion->poseAt(time_s));
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    const ToolSettings& tool = scenario_.tools[t];
+    const Pose pose = motions_[t]->poseAt(time_s);
+    if (!tool.clamp) {
+      poses.push_back(pose);
+      continue;
+    }
+    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, motions_[t]->openingAt(time_s));
+    poses.insert(poses.end(), jaws.begin(), jaws.end());
+  }
   return poses;
+}
+
+void Run::noteClamps(double time_s, State& state) const {
+  state.clamps.clear();
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    if (scenario_.tools[t].clamp)
+      state.clamps.push_back({motions_[t]->poseAt(time_s), motions_[t]->openingAt(time_s)});
+  }
 }
 
 // A copy of the simulation's state, with what the clock and the step number add. False: tissue is no longer
@@ -108,6 +131,7 @@ bool Run::advance(std::int64_t step, State& state) {
   state = simulation_->state();
   state.step = step;
   state.time_s = time_s;
+  noteClamps(time_s, state);
   state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
   return lost(state).empty();
 }
@@ -137,7 +161,10 @@ RunStatus Run::execute(const Outputs& outputs) {
     finite = advance(0, state);
     if (outputs.progress) outputs.progress(i + 1, total);
   }
-  if (settling_steps_ == 0) state = simulation_->state();
+  if (settling_steps_ == 0) {
+    state = simulation_->state();
+    noteClamps(0, state);
+  }
   state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
   std::unique_ptr<FrameSource> frames;

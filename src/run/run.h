@@ -45,13 +45,15 @@ class Run {
 
  private:
   std::vector<Pose> posesAt(double time_s) const;
+  void noteClamps(double time_s, State& state) const;
   bool advance(std::int64_t step, State& state);
   void emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames);
 
   const Scenario& scenario_;
+  Scenario engine_scenario_;  ///< the same with rigidTools(), one a tool of the scene
   const PipelineSettings& pipeline_;
   Scene scene_;
-  std::vector<std::unique_ptr<Motion>> motions_;
+  std::vector<std::unique_ptr<Motion>> motions_;  ///< one a tool of scenario_
   std::int64_t steps_ = 0, settling_steps_ = 0;
   std::unique_ptr<Simulation> simulation_;
 };

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/capsule.h"
 
 namespace fissure {
 
@@ -56,7 +57,7 @@ struct FileShape {
   bool operator==(const FileShape&) const = default;
 };
 
-using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileShape>;
+using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, CapsuleShape>;
 
 /// Bullet's btSoftBody::Material, for all links of a body. Dimensionless, 0..1.
 struct MaterialSettings {

@@ -19,6 +19,7 @@ struct Catalog {
   std::vector<CatalogEntry> force_laws;
   std::vector<CatalogEntry> body_shapes;
   std::vector<CatalogEntry> tool_shapes;
+  std::vector<CatalogEntry> clamp_openings;
   std::vector<CatalogEntry> node_placements;
   std::vector<CatalogEntry> motions;
   std::vector<CatalogEntry> timings;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,10 @@ class Checker {
 void checkBody(Checker check, const BodySettings& body);
 void checkTool(Checker check, const ToolSettings& tool);
 void checkShape(Checker check, const SurfaceShape& shape);
+void checkClamp(Checker check, const ToolSettings& clamp);
+void checkOpenings(Checker check, const ScriptMotion& motion, const std::optional<ClampSettings>& clamp);
+void checkOpenings(Checker check, const ReplayMotion& motion, const std::optional<ClampSettings>& clamp);
+void checkJawNames(Checker check, const std::vector<ToolSettings>& tools);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);

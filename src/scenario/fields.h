@@ -1,5 +1,6 @@
 #pragma once
 
+#include "scenario/fields_clamps.h"
 #include "scenario/fields_world.h"
 
 namespace fissure {
@@ -13,6 +14,8 @@ void describe(Io& io, MotionSegment& s) {
   io.field("hold_s", s.hold_s);
   io.field("move_to_m", s.move_to_m);
   io.field("rotate_to", s.rotate_to);
+  io.field("open_to_m", s.open_to_m);
+  io.field("open_to_deg", s.open_to_deg);
   io.field("speed_m_s", s.speed_m_s);
   io.field("duration_s", s.duration_s);
   io.choiceIf(!s.hold_s, moving, "timing", s.timing, catalog().timings);
@@ -24,6 +27,8 @@ template <class Io>
 void describe(Io& io, ScriptMotion& m) {
   io.required("start_m", m.start_m);
   io.field("start_orientation", m.start_orientation);
+  io.field("start_opening_m", m.start_opening_m);
+  io.field("start_opening_deg", m.start_opening_deg);
   io.field("segments", m.segments);
 }
 
@@ -48,6 +53,7 @@ void describe(Io& io, ReplayMotion& m) {
   io.choice("position_unit", m.position_unit, catalog().length_units);
   io.fieldIf(rows, "layout rows", "quaternion_columns", m.quaternion_columns);
   io.field("mapping", m.mapping);
+  io.field("opening", m.opening);
   io.field("start_s", m.start_s);
   io.field("end_s", m.end_s);
   io.choice("interpolation", m.interpolation, catalog().interpolations);
@@ -71,6 +77,7 @@ template <class Io>
 void describe(Io& io, ToolSettings& t) {
   io.required("name", t.name);
   io.tagged("shape", t.shape, catalog().tool_shapes);
+  io.field("clamp", t.clamp);
   t.nodes.placement = t.nodePlacement();
   io.field("nodes", t.nodes);
   io.field("friction", t.friction);

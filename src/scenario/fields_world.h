@@ -44,6 +44,13 @@ void describe(Io& io, FileShape& s) {
 }
 
 template <class Io>
+void describe(Io& io, CapsuleShape& s) {
+  io.required("radius_m", s.radius_m);
+  io.required("length_m", s.length_m);
+  io.field("subdivisions", s.subdivisions);
+}
+
+template <class Io>
 void describe(Io& io, MaterialSettings& m) {
   io.field("linear_stiffness", m.linear_stiffness);
   io.field("angular_stiffness", m.angular_stiffness);

@@ -46,15 +46,17 @@ Path resolve(std::string& name, const std::string& path, const char* kind, const
 /// The logs and meshes that the scenario names.
 std::vector<Path> resolveInputs(Scenario& scenario, const YamlNode& root) {
   std::vector<Path> files;
-  for (BodySettings& body : scenario.bodies) {
-    if (auto* shape = std::get_if<FileShape>(&body.shape))
-      files.push_back(
-          resolve(shape->file, "bodies." + body.name + ".shape.file", "mesh", root, scenario.directory));
-  }
+  const auto addMesh = [&](SurfaceShape& shape, const std::string& path) {
+    if (auto* mesh = std::get_if<FileShape>(&shape))
+      files.push_back(resolve(mesh->file, path + ".shape.file", "mesh", root, scenario.directory));
+  };
+  for (BodySettings& body : scenario.bodies) addMesh(body.shape, "bodies." + body.name);
   for (ToolSettings& tool : scenario.tools) {
-    if (auto* shape = std::get_if<FileShape>(&tool.shape))
-      files.push_back(
-          resolve(shape->file, "tools." + tool.name + ".shape.file", "mesh", root, scenario.directory));
+    const std::string path = "tools." + tool.name;
+    addMesh(tool.shape, path);
+    if (tool.clamp && tool.clamp->left_jaw) addMesh(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw");
+    for (std::size_t i = 0; tool.clamp && i < tool.clamp->handle.size(); ++i)
+      addMesh(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i));
     if (auto* replay = std::get_if<ReplayMotion>(&tool.motion))
       files.push_back(
           resolve(replay->file, "tools." + tool.name + ".motion.file", "log", root, scenario.directory));

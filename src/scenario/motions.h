@@ -8,6 +8,7 @@
 
 #include "base/geometry.h"
 #include "scenario/bodies.h"
+#include "scenario/clamps.h"
 
 namespace fissure {
 
@@ -18,8 +19,8 @@ enum class Timing {
   minimum_jerk,  ///< 10 s^3 - 15 s^4 + 6 s^5 (Flash and Hogan 1985)
 };
 
-/// One piece of a scripted motion: either `hold_s`, or `move_to_m`, `rotate_to` or both with one of speed and
-/// duration.
+/// One piece of a scripted motion: either `hold_s`, or `move_to_m`, `rotate_to`, an opening or several of
+/// them with one of speed and duration.
 struct MotionSegment {
   std::optional<Vec3> move_to_m;  ///< scene frame; default: stay
   std::optional<Quat> rotate_to;  ///< x, y, z, w; default: stay; interpolated on the shorter arc
@@ -30,6 +31,11 @@ struct MotionSegment {
   Timing timing = Timing::constant;
   /// Trapezoidal: share of the time spent accelerating, and again decelerating; (0, 0.5].
   double ramp_fraction = 0.25;
+  std::optional<double> open_to_m;    ///< of a clamp with parallel jaws, >= 0; default: stay
+  std::optional<double> open_to_deg;  ///< of one with hinged jaws, 0..max_opening_deg
+
+  /// Where the opening goes, metres or degrees.
+  std::optional<double> openTo() const { return open_to_deg ? open_to_deg : open_to_m; }
 
   bool operator==(const MotionSegment&) const = default;
 };
@@ -39,6 +45,8 @@ struct ScriptMotion {
   Vec3 start_m = Vec3::Zero();
   Quat start_orientation = Quat::Identity();
   std::vector<MotionSegment> segments;
+  std::optional<double> start_opening_m;    ///< of a clamp with parallel jaws, >= 0; default: closed
+  std::optional<double> start_opening_deg;  ///< of one with hinged jaws, 0..max_opening_deg
 
   bool operator==(const ScriptMotion&) const = default;
 };
@@ -98,6 +106,7 @@ struct ReplayMotion {
   Interpolation interpolation = Interpolation::linear;
   double max_gap_s = 0.25;  ///< longer gaps between rows are held, then counted; > 0
   double jump_m = 0.02;     ///< a step between two samples longer than this is counted as a jump; > 0
+  std::optional<DeviceOpening> opening;  ///< of a clamp, which needs it
 
   bool operator==(const ReplayMotion&) const = default;
 };
@@ -125,10 +134,12 @@ struct NodeSettings {
   bool operator==(const NodeSettings&) const = default;
 };
 
-/// A rigid tool on a prescribed path.
+/// A rigid tool on a prescribed path; with `clamp` two of them, the jaws NAME_left and NAME_right.
 struct ToolSettings {
   std::string name;
   SurfaceShape shape = BoxShape{};  ///< in the tool's frame
+  bool mirrored = false;            ///< the shape's mirror image in x = 0; rigidTools alone says so
+  std::optional<ClampSettings> clamp;
   NodeSettings nodes;
   /// Coulomb's coefficient, >= 0, times the body's `solver.dynamic_friction` (pipeline cluster: the smaller
   /// of the two). Ray casting needs response momentum for it; to `prescribed` tissue sticks in any case.

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "scenario/checker.h"
+#include "scenario/rigid_tools.h"
 #include "scenario/scalars.h"
 
 namespace fissure {
@@ -67,6 +68,7 @@ double triangleCount(const Scenario& scenario) {
     if (const auto* list = std::get_if<TrianglesShape>(&body.shape))
       count += static_cast<double>(list->faces.size());
     if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
+    if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) count += capsule->triangles();
   }
   return count;
 }
@@ -78,7 +80,7 @@ void checkSizes(Checker check, const Scenario& scenario) {
       triangles <= max_triangles, "bodies",
       "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
   double nodes = 0;
-  for (const ToolSettings& tool : scenario.tools) {
+  for (const ToolSettings& tool : rigidTools(scenario.tools)) {
     if (tool.nodePlacement() == "grid") nodes += 2.0 * tool.nodes.resolution[0] * tool.nodes.resolution[1];
   }
   check.require(nodes <= max_nodes, "tools",
@@ -132,6 +134,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
   if (duration_s) checkSteps(time, scenario.time, *duration_s);
   checkSizes(check, scenario);
   checkFriction(check.in("tools"), scenario);
+  checkJawNames(check.in("tools"), scenario.tools);
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 

@@ -20,6 +20,12 @@ void checkAlternative(Checker check, const BoxShape& box) {
   check.positive("size_m", box.size_m);
 }
 
+void checkAlternative(Checker check, const CapsuleShape& capsule) {
+  check.positive("radius_m", capsule.radius_m);
+  check.positive("length_m", capsule.length_m);
+  check.between("subdivisions", capsule.subdivisions, 0, 7);
+}
+
 /// What can be said without topology; mesh/ checks that the surface is closed and oriented.
 void checkAlternative(Checker check, const TrianglesShape& triangles) {
   constexpr std::size_t max_faces = 131072;  // those of a sphere with 7 subdivisions

@@ -12,15 +12,15 @@ namespace {
 
 /// One segment that starts at `from`.
 void checkSegment(Checker check, const MotionSegment& segment, const Vec3& from) {
-  const bool moves = segment.move_to_m || segment.rotate_to;
+  const bool moves = segment.move_to_m || segment.rotate_to || segment.openTo();
   if (segment.hold_s) {
-    check.require(!moves, "", "holds and moves, expected hold_s alone or move_to_m and rotate_to");
+    check.require(!moves, "", "holds and moves, expected hold_s alone or without it a movement");
     check.require(!segment.speed_m_s && !segment.duration_s, "",
                   "gives hold_s and a speed or duration, expected hold_s alone");
     check.positive("hold_s", *segment.hold_s);
     return;
   }
-  check.require(moves, "", "does nothing, expected hold_s, move_to_m or rotate_to");
+  check.require(moves, "", "does nothing, expected hold_s, move_to_m, rotate_to or, of a clamp, an opening");
   check.require(segment.speed_m_s.has_value() != segment.duration_s.has_value(), "",
                 "expected exactly one of speed_m_s and duration_s");
   if (segment.speed_m_s) check.positive("speed_m_s", *segment.speed_m_s);
@@ -126,7 +126,13 @@ void checkTool(Checker check, const ToolSettings& tool) {
   nodes.positive("pairing_limit", tool.nodes.pairing_limit);
   check.notNegative("friction", tool.friction);
   if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
-  std::visit([&](const auto& motion) { checkMotion(check.in("motion"), motion); }, tool.motion);
+  if (tool.clamp) checkClamp(check.in("clamp"), tool);
+  std::visit(
+      [&](const auto& motion) {
+        checkMotion(check.in("motion"), motion);
+        checkOpenings(check.in("motion"), motion, tool.clamp);
+      },
+      tool.motion);
 }
 
 }  // namespace fissure

@@ -415,5 +415,37 @@ TEST(Statistics, PercentileIsTheNearestRank) {
   EXPECT_EQ(percentile({4, 3, 2, 1}, 51), 3);
 }
 
+TEST_F(ProbesTest, ClampsOfBothKindsAreOpenInTheirOwnUnits) {
+  scene_.tools.push_back(scene_.tools[0]);
+  scene_.tools[0].name = "left", scene_.tools[1].name = "right";
+  scene_.clamps = {{.name = "gripper", .left_tool = 0, .right_tool = 1},
+                   {.name = "forceps", .left_tool = 1, .right_tool = 0, .hinged = true}};
+  state_.tools.resize(2);
+  state_.clamps = {{.opening = 0.02}, {.opening = 30}};
+  addLaws({"hc", "soft"});
+  start();
+  state_.tool_reactions_N = {Vec3(1, 0, 0), Vec3(-4, 0, 0)};
+  state_.tool_forces_N[2] = Vec3(0, 3, 0);  // of the second law, on the left
+  state_.tool_forces_N[3] = Vec3(0, 0, 4);
+  step();
+  EXPECT_EQ(value("jaw_opening", 0), 0.02);
+  EXPECT_TRUE(std::isnan(value("jaw_opening", 1)));
+  EXPECT_TRUE(std::isnan(value("jaw_angle", 0)));
+  EXPECT_EQ(value("jaw_angle", 1), 30);
+  EXPECT_EQ(value("clamp_reaction", 0), -3);
+  EXPECT_EQ(value("clamp_force", 3 * 2 + 1), 3) << "second law, first clamp, y";
+  EXPECT_EQ(value("clamp_force", 3 * 3 + 2), 4) << "second law, second clamp, z";
+  EXPECT_EQ(real("gripper_max_resultant_soft_N"), 5);
+  EXPECT_EQ(real("gripper_left_max_force_soft_N"), 3);
+  EXPECT_EQ(real("forceps_left_max_force_soft_N"), 4);
+  EXPECT_EQ(real("gripper_max_resultant_hc_N"), 0);
+  EXPECT_EQ(real("gripper_final_reaction_N"), 3);
+  state_.tool_reactions_N.clear();
+  step();
+  EXPECT_TRUE(std::isnan(value("clamp_reaction", 0)));
+  EXPECT_TRUE(std::isnan(value("tool_reaction", 0)));
+  EXPECT_EQ(scalar("gripper_final_reaction_N").name, "absent");
+}
+
 }  // namespace
 }  // namespace fissure

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <set>
@@ -128,6 +130,46 @@ TEST(PlaceBody, MakesTheShapeThatIsNamed) {
   EXPECT_EQ(placeBody(body).faces, makeSphere(0.03, 2).faces);
   EXPECT_NEAR(placeBody(body).vertices_m[3].y(), 0, 1e-18);  // its south pole stands on the ground
   EXPECT_EQ(placeBody(bodyOf(BoxShape{{0.1, 0.2, 0.3}})).vertices_m, makeBox({0.1, 0.2, 0.3}).vertices_m);
+}
+
+TEST(Capsule, IsAClosedSurfaceOfEvenTriangles) {
+  for (int subdivisions = 0; subdivisions <= 4; ++subdivisions) {
+    const CapsuleShape shape{.radius_m = 0.01, .length_m = 0.07, .subdivisions = subdivisions};
+    const TriangleMesh capsule =
+        makeCapsule(shape.radius_m, shape.length_m, subdivisions, static_cast<int>(shape.rows()));
+    EXPECT_EQ(findDefects(capsule), std::vector<std::string>{});
+    EXPECT_EQ(static_cast<double>(capsule.faces.size()), shape.triangles());
+    EXPECT_EQ(capsule.vertices_m.size() + capsule.faces.size() - countEdges(capsule), 2u);
+    EXPECT_EQ(countInwardFaces(capsule), 0);
+    for (const Vec3& v : capsule.vertices_m) {
+      const double along_m = std::clamp(v.x(), -0.035, 0.035);
+      EXPECT_NEAR((v - Vec3(along_m, 0, 0)).norm(), 0.01, 1e-15);
+    }
+  }
+}
+
+TEST(Capsule, VolumeConvergesToCylinderAndBall) {
+  const double pi = std::numbers::pi, exact_m3 = pi * 1e-4 * 0.07 + 4.0 / 3.0 * pi * 1e-6;
+  EXPECT_NEAR(signedVolume_m3(makeCapsule(0.01, 0.07, 6, 4)), exact_m3, 4e-4 * exact_m3);
+}
+
+// A mesh with a handedness would give the two jaws of a clamp different forces.
+TEST(Capsule, IsItsOwnMirrorImage) {
+  const TriangleMesh capsule = makeCapsule(0.01, 0.07, 2, 6);
+  const auto key = [](const Vec3& p) {
+    return std::array<long, 3>{std::lround(1e9 * p.x()), std::lround(1e9 * p.y()), std::lround(1e9 * p.z())};
+  };
+  const auto triangles = [&](const Vec3& signs) {
+    std::set<std::set<std::array<long, 3>>> all;
+    for (const Face& face : capsule.faces) {
+      std::set<std::array<long, 3>> corners;
+      for (const int v : face) corners.insert(key(capsule.vertices_m[v].cwiseProduct(signs)));
+      all.insert(corners);
+    }
+    return all;
+  };
+  const auto own = triangles(Vec3(1, 1, 1));
+  for (const Vec3& signs : {Vec3(-1, 1, 1), Vec3(1, -1, 1), Vec3(1, 1, -1)}) EXPECT_EQ(triangles(signs), own);
 }
 
 }  // namespace

@@ -95,6 +95,21 @@ class OffscreenRenderer : public testing::Test {
   FrameSettings settings_;
 };
 
+// In the clamp's frame, which is the jaws' no more than it is the scene's.
+TEST_F(OffscreenRenderer, DrawsHandlesWhereTheirClampIs) {
+  const Vec3 place_m(-0.06, 0.03, 0);
+  EXPECT_FALSE(isSteel(colourAt(draw(), place_m)));
+  scene_.clamps = {{.name = "clamp", .handle = makeBox({0.01, 0.01, 0.01})}};
+  for (Vec3& v : scene_.clamps[0].handle.vertices_m) v += Vec3(0, 0.02, 0);
+  state_.clamps.resize(1);
+  state_.clamps[0].pose.position_m = place_m - Vec3(0, 0.02, 0);
+  EXPECT_TRUE(isSteel(colourAt(draw(), place_m)));
+  state_.clamps[0].pose.orientation = Quat(Eigen::AngleAxisd(M_PI, Vec3::UnitZ()));
+  EXPECT_FALSE(isSteel(colourAt(draw(), place_m))) << "turned down";
+  state_.clamps.clear();
+  EXPECT_THROW(draw(), RunError);
+}
+
 TEST_F(OffscreenRenderer, SameStateSameBytes) {
   addNodes({{0, 0.001, 0}, {0.01, -0.001, 0}});
   state_.node_states = {NodeState::feasible, NodeState::infeasible};

@@ -90,8 +90,8 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
   for (const auto* table :
-       {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.motions, &c.timings,
-        &c.interpolations, &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
+       {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.clamp_openings, &c.motions,
+        &c.timings, &c.interpolations, &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
         &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
@@ -115,6 +115,9 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.body_shapes, Shapes(BoxShape{}).index()), "box");
   EXPECT_EQ(at(c.body_shapes, Shapes(TrianglesShape{}).index()), "triangles");
   EXPECT_EQ(at(c.body_shapes, Shapes(FileShape{}).index()), "file");
+  EXPECT_EQ(at(c.body_shapes, Shapes(CapsuleShape{}).index()), "capsule");
+  EXPECT_EQ(at(c.clamp_openings, ClampOpening::parallel), "parallel");
+  EXPECT_EQ(at(c.clamp_openings, ClampOpening::hinged), "hinged");
   using Motions = decltype(ToolSettings::motion);
   ASSERT_EQ(c.motions.size(), std::variant_size_v<Motions>);
   EXPECT_EQ(at(c.motions, Motions(ScriptMotion{}).index()), "script");
