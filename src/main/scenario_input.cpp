@@ -56,6 +56,14 @@ void checkFixed(const std::string& file, const BodySettings& body, const Triangl
     throw InputError(where + " holds every vertex of the body, expected some that can move");
 }
 
+void checkGauges(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
+  for (const GaugeSettings& gauge : body.gauges) {
+    if (verticesIn(gauge.box, rest).empty())
+      throw InputError(file + ": bodies." + body.name + ".gauges." + gauge.name +
+                       " holds no vertex of the body as it is placed, expected at least one");
+  }
+}
+
 std::vector<std::string> spoiling(const std::vector<Defect>& defects) {
   std::vector<std::string> texts;
   for (const Defect& defect : defects)
@@ -107,10 +115,13 @@ void checkBodies(CheckedScenario& checked) {
   for (const BodySettings& body : scenario.bodies) {
     const std::string path = "bodies." + body.name + ".shape";
     const std::vector<std::string> defects = defectsOf(body, path, scenario.directory, checked.notes);
-    if (!defects.empty())
+    if (!defects.empty()) {
       reportDefects(body, path, defects, all, lines);
-    else if (!body.fixed.empty())
-      checkFixed(checked.file.string(), body, placeBody(body, scenario.directory));
+    } else if (!body.fixed.empty() || !body.gauges.empty()) {
+      const TriangleMesh rest = placeBody(body, scenario.directory);
+      if (!body.fixed.empty()) checkFixed(checked.file.string(), body, rest);
+      checkGauges(checked.file.string(), body, rest);
+    }
   }
   if (all.empty()) return;
   lines.insert(lines.begin(), checked.notes.begin(), checked.notes.end());

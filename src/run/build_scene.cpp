@@ -29,6 +29,8 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
     placed.first_vertex = scene.vertexCount();
     placed.first_face = scene.faceCount();
     placed.fixed_vertices = fixedVertices(body, placed.rest);
+    for (const GaugeSettings& gauge : body.gauges)
+      placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
     scene.bodies.push_back(std::move(placed));
   }
   for (const ToolSettings& tool : scenario.tools) {

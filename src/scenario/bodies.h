@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/lobes_shape.h"
 
 namespace fissure {
 
@@ -124,10 +125,18 @@ struct FixedRegion {
   bool operator==(const FixedRegion&) const = default;
 };
 
+/// Vertices of a body whose mean displacement is a result: how far an opening was opened, a rim pushed.
+struct GaugeSettings {
+  std::string name;  ///< unique in the scenario
+  BoxRegion box;     ///< those inside where the body is placed; at least one
+
+  bool operator==(const GaugeSettings&) const = default;
+};
+
 /// A soft body: Bullet's spring shell over a closed triangle surface.
 struct BodySettings {
   std::string name;
-  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape> shape;
+  std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, LobesShape> shape;
   Vec3 position_m = Vec3::Zero();       ///< of the shape's own origin at time zero
   Quat orientation = Quat::Identity();  ///< x, y, z, w in files
   double mass_kg = 0.1;                 ///< of the whole body, > 0; the share of fixed vertices never moves
@@ -143,6 +152,7 @@ struct BodySettings {
   MaterialSettings material;
   SolverSettings solver;
   ClusterSettings clusters;
+  std::vector<GaugeSettings> gauges;
 
   bool operator==(const BodySettings&) const = default;
 };

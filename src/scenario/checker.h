@@ -43,6 +43,7 @@ class Checker {
 
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);
+void checkGauge(Checker check, const GaugeSettings& gauge);
 void checkTool(Checker check, const ToolSettings& tool);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);

@@ -44,6 +44,14 @@ void describe(Io& io, FileShape& s) {
 }
 
 template <class Io>
+void describe(Io& io, LobesShape& s) {
+  io.required("size_m", s.size_m);
+  io.required("slit_depth_m", s.slit_depth_m);
+  io.required("slit_width_m", s.slit_width_m);
+  io.required("edge_m", s.edge_m);
+}
+
+template <class Io>
 void describe(Io& io, MaterialSettings& m) {
   io.field("linear_stiffness", m.linear_stiffness);
   io.field("angular_stiffness", m.angular_stiffness);
@@ -100,6 +108,12 @@ void describe(Io& io, FixedRegion& r) {
 }
 
 template <class Io>
+void describe(Io& io, GaugeSettings& g) {
+  io.required("name", g.name);
+  io.required("box", g.box);
+}
+
+template <class Io>
 void describe(Io& io, BodySettings& b) {
   io.required("name", b.name);
   io.tagged("shape", b.shape, catalog().body_shapes);
@@ -117,6 +131,7 @@ void describe(Io& io, BodySettings& b) {
   io.field("material", b.material);
   io.field("solver", b.solver);
   io.field("clusters", b.clusters);
+  io.field("gauges", b.gauges);
 }
 
 template <class Io>

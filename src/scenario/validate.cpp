@@ -16,9 +16,9 @@ constexpr double max_nodes = 1 << 21;
 constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
 
 /// Checks the items of a named list, each below its name, or below its index where the name is bad or taken.
+/// `seen`: names that are taken; the list's are added.
 template <class Item, class Check>
-void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) {
-  std::set<std::string> seen;
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = items[i].name;
     const bool good = isName(name);
@@ -28,6 +28,12 @@ void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) 
     item.require(!good || fresh, "name", "is \"" + name + "\" again, expected each name once");
     checkItem(item, items[i]);
   }
+}
+
+template <class Item, class Check>
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) {
+  std::set<std::string> seen;
+  checkItems(check, items, checkItem, seen);
 }
 
 /// Duration of the run in seconds as far as the scenario says it; nothing if only a log does.
@@ -67,6 +73,7 @@ double triangleCount(const Scenario& scenario) {
     if (const auto* list = std::get_if<TrianglesShape>(&body.shape))
       count += static_cast<double>(list->faces.size());
     if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
+    if (const auto* lobes = std::get_if<LobesShape>(&body.shape)) count += lobes->triangles();
   }
   return count;
 }
@@ -173,6 +180,9 @@ std::vector<Problem> validate(const Scenario& scenario) {
   checkSurroundings(check, scenario);
   check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");
   checkItems(check.in("bodies"), scenario.bodies, checkBody);
+  std::set<std::string> gauges;
+  for (const BodySettings& body : scenario.bodies)
+    checkItems(check.in("bodies").in(body.name).in("gauges"), body.gauges, checkGauge, gauges);
   checkItems(check.in("tools"), scenario.tools, checkTool);
   check.require(!scenario.pipelines.empty(), "pipelines", "is empty, expected at least one");
   checkItems(check.in("pipelines"), scenario.pipelines, checkPipeline);
