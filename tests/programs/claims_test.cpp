@@ -117,6 +117,54 @@ TEST(Claims, TwoPlatesWithFrictionLiftASphereAndHoldIt) {
   EXPECT_LT(heights_m(folder / "out.h5").back(), 0.035);
 }
 
+/// A fissure config through the full method and through the same without feasibility.
+ResultInfo part(const std::string& config, const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  std::vector<std::string> words = {"run",         FISSURE_SOURCE_DIR "/configs/" + config,
+                                    "--no-frames", "--no-expect",
+                                    "-o",          "out.h5",
+                                    "--pipeline",  "fukuhara",
+                                    "--pipeline",  "no_pairs"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = runFissure(folder, words);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return readResultInfo(folder / "out.h5");
+}
+
+/// Both lobes parted alike by more than `least_m`, and nothing torn.
+void expectPartedAlike(const ResultInfo& info, double least_m) {
+  const double left_m = -quantity(info, "fukuhara", "gauge_left_x_final_m");
+  const double right_m = quantity(info, "fukuhara", "gauge_right_x_final_m");
+  EXPECT_GT(left_m, least_m);
+  EXPECT_NEAR(left_m / right_m, 1, 0.05);
+  EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0001);
+  EXPECT_EQ(quantity(info, "fukuhara", "passed_through_samples"), 0);
+  EXPECT_EQ(quantity(info, "fukuhara", "max_inverted_triangles"), 0);
+}
+
+void expectTornWithoutFeasibility(const ResultInfo& info) {
+  EXPECT_GT(quantity(info, "no_pairs", "max_inverted_triangles"), 50);
+  EXPECT_GT(quantity(info, "no_pairs", "passed_through_samples"), 50);
+}
+
+TEST(Claims, AFissureIsOpenedAlikeOnBothSidesByOneSpatulaAndByTwo) {
+  const ResultInfo turned = part("fissure_open.yaml");
+  expectPartedAlike(turned, 0.002);
+  expectTornWithoutFeasibility(turned);
+  const ResultInfo retracted = part("fissure_retract.yaml");
+  expectPartedAlike(retracted, 0.01);
+  expectTornWithoutFeasibility(retracted);
+}
+
+// A blade thicker than the slit goes straight down in its middle: both faces hold tissue, at the same pairs
+// of nodes.
+TEST(Claims, ABladeInTheMiddleOfANarrowSlitPartsBothLobesAlike) {
+  const std::string down =
+      "tools.spatula.motion.segments=[{move_to_m: [0, 0.04, 0], speed_m_s: 0.1}, {hold_s: 0.1}]";
+  expectPartedAlike(
+      part("fissure_open.yaml", {"--set", down, "--set", "bodies.lobes.shape.slit_width_m=0.001"}), 0.0005);
+}
+
 // On 128 triangles single vertices slip in between nodes 5 mm apart before any node has contact.
 TEST(Claims, OnACoarseMeshVertexContactsCloseThePlateThatNodesAloneLeaveOpen) {
   const std::vector<std::string> coarse = {"--pipeline", "fukuhara", "--set",

@@ -115,6 +115,7 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.body_shapes, Shapes(BoxShape{}).index()), "box");
   EXPECT_EQ(at(c.body_shapes, Shapes(TrianglesShape{}).index()), "triangles");
   EXPECT_EQ(at(c.body_shapes, Shapes(FileShape{}).index()), "file");
+  EXPECT_EQ(at(c.body_shapes, Shapes(LobesShape{}).index()), "lobes");
   using Motions = decltype(ToolSettings::motion);
   ASSERT_EQ(c.motions.size(), std::variant_size_v<Motions>);
   EXPECT_EQ(at(c.motions, Motions(ScriptMotion{}).index()), "script");
