@@ -38,7 +38,8 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
         {.name = tool.name,
          .surface = makeBox(tool.shape.size_m),
          .box_size_m = tool.shape.size_m,
-         .nodes = with_nodes ? makeGridNodes(tool.shape.size_m, tool.nodes.resolution) : ToolNodes{},
+         .nodes = with_nodes ? makeGridNodes(tool.shape.size_m, tool.nodes.resolution, tool.nodes.narrow_rows)
+                             : ToolNodes{},
          .first_node = scene.nodeCount()});
   }
   if (scenario.ground) scene.ground_height_m = scenario.ground->height_m;

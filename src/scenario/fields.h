@@ -58,6 +58,7 @@ void describe(Io& io, ReplayMotion& m) {
 template <class Io>
 void describe(Io& io, NodeSettings& n) {
   io.field("resolution", n.resolution);
+  io.field("narrow_rows", n.narrow_rows);
 }
 
 template <class Io>

@@ -105,6 +105,14 @@ struct ReplayMotion {
 struct NodeSettings {
   /// Nodes along the longer and the shorter edge of each large face, 1..512.
   std::array<int, 2> resolution = {8, 8};
+  /// Beyond the paper: rows of nodes on each narrow face too, 0 (none) to 512, so that a blade meets tissue
+  /// edge first; along a row as many as on a large face.
+  int narrow_rows = 0;
+
+  /// Of a box.
+  double count() const {
+    return 2.0 * resolution[0] * resolution[1] + 2.0 * narrow_rows * (resolution[0] + resolution[1]);
+  }
 
   bool operator==(const NodeSettings&) const = default;
 };

@@ -86,7 +86,7 @@ void checkSizes(Checker check, const Scenario& scenario) {
       "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
   double nodes = 0;
   for (const ToolSettings& tool : scenario.tools) {
-    nodes += 2.0 * tool.nodes.resolution[0] * tool.nodes.resolution[1];
+    nodes += tool.nodes.count();
   }
   check.require(nodes <= max_nodes, "tools",
                 "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));

@@ -117,6 +117,7 @@ void checkTool(Checker check, const ToolSettings& tool) {
   check.in("shape").positive("size_m", tool.shape.size_m);
   Checker nodes = check.in("nodes");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
+  nodes.between("narrow_rows", tool.nodes.narrow_rows, 0, 512);
   check.notNegative("friction", tool.friction);
   if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
   std::visit([&](const auto& motion) { checkMotion(check.in("motion"), motion); }, tool.motion);

@@ -117,6 +117,23 @@ TEST(Claims, TwoPlatesWithFrictionLiftASphereAndHoldIt) {
   EXPECT_LT(heights_m(folder / "out.h5").back(), 0.035);
 }
 
+// Nodes on the narrow faces hold a blade that comes edge first; without them its large faces tear the tissue.
+TEST(Claims, ABladeThatComesEdgeFirstIsHeldByNodesOnItsNarrowFaces) {
+  const auto edge = [](const std::string& speed_m_s, const std::string& rows) {
+    const Folder folder;
+    const Outcome outcome = runFissure(
+        folder, {"run", FISSURE_SOURCE_DIR "/configs/spatula_edge_on.yaml", "--no-frames", "--no-expect",
+                 "-o", "out.h5", "--pipeline", "fukuhara", "--set", "tools.spatula.nodes.narrow_rows=" + rows,
+                 "--set", "tools.spatula.motion.segments.0.speed_m_s=" + speed_m_s});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return quantity(readResultInfo(folder / "out.h5"), "fukuhara", "max_penetration_depth_m");
+  };
+  for (const std::string speed_m_s : {"0.02", "0.1", "0.5", "2"}) {
+    EXPECT_LE(edge(speed_m_s, "2"), 0.0001) << speed_m_s;
+    EXPECT_GT(edge(speed_m_s, "0"), 0.001) << speed_m_s;
+  }
+}
+
 /// A fissure config through the full method and through the same without feasibility.
 ResultInfo part(const std::string& config, const std::vector<std::string>& more = {}) {
   const Folder folder;

@@ -53,7 +53,7 @@ const char* const every_field =
     "tools:\n"
     "  - name: blade\n"
     "    shape: {type: box, size_m: [0.05, 0.003, 0.016]}\n"
-    "    nodes: {resolution: [9, 5]}\n"
+    "    nodes: {resolution: [9, 5], narrow_rows: 4}\n"
     "    friction: 0.15\n"
     "    force_limit_N: 7.5\n"
     "    motion:\n"
@@ -178,6 +178,7 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   const Scenario s = loadScenario(write("every.yaml", every_field)).scenario;
   ASSERT_EQ(s.tools.size(), 3u);
   EXPECT_EQ(s.tools[0].nodes.resolution, (std::array<int, 2>{9, 5}));
+  EXPECT_EQ(s.tools[0].nodes.narrow_rows, 4);
   EXPECT_EQ(s.tools[0].friction, 0.15);
   EXPECT_EQ(s.bodies[0].fixed,
             (std::vector<FixedRegion>{{-0.01, {}}, {{}, BoxRegion{{0, 1, 2}, {3, 4, 5}}}}));
