@@ -1,6 +1,9 @@
 // The claims of README on the shipped configs: what holds, what does not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/geometry.h"
 #include "program.h"
 #include "store/read_series.h"
@@ -132,6 +135,42 @@ TEST(Claims, ABladeThatComesEdgeFirstIsHeldByNodesOnItsNarrowFaces) {
     EXPECT_LE(edge(speed_m_s, "2"), 0.0001) << speed_m_s;
     EXPECT_GT(edge(speed_m_s, "0"), 0.001) << speed_m_s;
   }
+}
+
+// Let go at 2 m/s, tissue is held back by nothing: the blade feels no pull, by the law and by what the
+// contacts took, and contact ends while the tissue still rises.
+TEST(Claims, AWithdrawnSpatulaNeitherPullsNorSticks) {
+  const Folder folder;
+  const Outcome outcome = runFissure(folder, {"run", FISSURE_SOURCE_DIR "/configs/spatula_withdraw.yaml",
+                                              "--no-frames", "--pipeline", "fukuhara", "-o", "out.h5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const std::string group = "/pipelines/fukuhara/";
+  for (const std::string series : {"force", "reaction_force"}) {
+    const SeriesData force_N = readSeries(folder / "out.h5", group + series);
+    double least_N = 0, largest_N = 0;
+    for (std::size_t i = 1; i < force_N.values.size(); i += 3) {
+      ASSERT_FALSE(std::isnan(force_N.values[i]) && i > 3) << series;
+      least_N = std::min(least_N, force_N.values[i]);
+      largest_N = std::max(largest_N, force_N.values[i]);
+    }
+    EXPECT_GE(least_N, 0) << series << " pulls the blade down";
+    EXPECT_GT(largest_N, 20) << series;
+  }
+  const SeriesData contacts = readSeries(folder / "out.h5", group + "contact_count");
+  const std::size_t withdrawn = 410 + 42;  // steps until it moves, and until it is at the top
+  for (std::size_t i = withdrawn; i < contacts.values.size(); ++i) ASSERT_EQ(contacts.values[i], 0) << i;
+}
+
+TEST(Claims, APalpatingArmIsHeldAtEveryTouch) {
+  const Folder folder;
+  const Outcome outcome = runFissure(
+      folder, {"run", FISSURE_SOURCE_DIR "/configs/replay_palpation.yaml", "--no-frames", "-o", "out.h5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const SeriesData force_N = readSeries(folder / "out.h5", "/pipelines/fukuhara/force");
+  int touches = 0;  // upward crossings
+  for (std::size_t i = 4; i < force_N.values.size(); i += 3)
+    if (force_N.values[i] >= 0.3 && force_N.values[i - 3] < 0.3) ++touches;
+  EXPECT_GE(touches, 5);
 }
 
 /// A fissure config through the full method and through the same without feasibility.
