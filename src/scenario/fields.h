@@ -1,6 +1,7 @@
 #pragma once
 
 #include "scenario/fields_world.h"
+#include "scenario/tissues.h"
 
 namespace fissure {
 
@@ -104,6 +105,9 @@ void describe(Io& io, ForceSettings& f) {
     io.fieldIf(applies, when, key, value);
   };
   const bool hunt_crossley = f.model == "hunt_crossley", kelvin_voigt = f.model == "kelvin_voigt";
+  io.choiceIf(hunt_crossley && !f.per_area, "model hunt_crossley without per_area", "tissue", f.tissue,
+              catalog().tissues);
+  io.whileReading([&] { applyTissue(f); });
   coefficient(true, "", "k", f.k);
   coefficient(hunt_crossley, "model hunt_crossley", "lambda", f.lambda);
   io.fieldIf(hunt_crossley, "model hunt_crossley", "n", f.n);

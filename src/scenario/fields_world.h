@@ -15,6 +15,7 @@ namespace fissure {
 //   io.choice / io.requiredChoice      a name from a table of the catalog
 //   io.choices(key, values, table)     a list of such names, which may be left out
 //   io.tagged(key, value, table)       a map whose `type` names the alternative
+//   io.whileReading(fill)              sets the defaults of keys that follow by those before
 //   io.nameOr(key, value, other_key)   a name that may be left out: then what `other_key` says
 
 template <class Io>

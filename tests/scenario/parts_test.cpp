@@ -90,7 +90,7 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
   for (const auto* table :
-       {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.motions, &c.timings,
+       {&c.pipelines, &c.force_laws, &c.tissues, &c.body_shapes, &c.tool_shapes, &c.motions, &c.timings,
         &c.interpolations, &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
         &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
     std::set<std::string_view> names;

@@ -94,7 +94,7 @@ const char* const every_field =
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
     "force:\n"
-    "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
+    "  - {name: hc, model: hunt_crossley, tissue: meat_4, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
     "  - {model: linear_elastic, k: 202}\n"
     "  - {model: kelvin_voigt, k: 203, c: 3, rate: velocities, deformation: corotated, per_area: true}\n"
     "record:\n"
@@ -163,7 +163,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
       (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
-                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
+                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities", 1, "paper", false, "meat_4"},
                 {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"},
                 {"kelvin_voigt", "kelvin_voigt", 203, 50, 1.3, "velocities", 3, "corotated", true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
