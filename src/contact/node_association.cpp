@@ -75,8 +75,8 @@ void NodeAssociation::exclude(std::span<NodeCandidate> candidates) {
 }
 
 // The chosen side keeps the pair until both of its nodes are free, or until it has let go of the tissue while
-// the other side holds some: of a blade that turns in a slit both sides held the slit's walls at first, and the
-// side that turns away must not veto the one that goes on pushing.
+// the other side holds some: of a blade that turns in a slit both sides held the slit's walls at first, and
+// the side that turns away must not veto the one that goes on pushing.
 void NodeAssociation::remember(std::span<const NodeCandidate> candidates) {
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const int own = candidate_of_node_[i];

@@ -336,6 +336,7 @@ TEST(Validate, Scripts) {
       {"tools.blade.shape.size_m", [](Scenario& s) { s.tools[0].shape.size_m.y() = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[1] = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[0] = 513; }},
+      {"tools.blade.nodes.narrow_rows", [](Scenario& s) { s.tools[0].nodes.narrow_rows = -1; }},
       {"tools.blade.friction", [](Scenario& s) { s.tools[0].friction = -1; }},
       {"tools.blade.force_limit_N", [](Scenario& s) { s.tools[0].force_limit_N = 0; }},
       {"tools.blade.force_limit_N", [](Scenario& s) { s.tools[0].force_limit_N = nan; }},
