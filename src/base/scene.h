@@ -9,6 +9,12 @@
 
 namespace fissure {
 
+/// Vertices whose mean displacement is recorded.
+struct Gauge {
+  std::string name;
+  std::vector<int> vertices;  ///< of its body, at least one
+};
+
 /// A soft body as placed at time zero.
 struct SceneBody {
   std::string name;
@@ -17,7 +23,8 @@ struct SceneBody {
   int first_vertex = 0;  ///< of this body in the concatenated vertex arrays of a State
   int first_face = 0;
   std::vector<int> fixed_vertices = {};  ///< of this body, ascending: they never move
-  std::vector<std::string> repairs;      ///< what was repaired of its file's surface, a line each
+  std::vector<Gauge> gauges = {};
+  std::vector<std::string> repairs;  ///< what was repaired of its file's surface, a line each
 };
 
 /// A rigid, kinematic tool, in its own frame.

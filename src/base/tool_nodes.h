@@ -13,6 +13,9 @@ struct ToolNodes {
   std::vector<Vec3> normals;          ///< unit, out of the tool
   std::vector<int> partners;          ///< index of the node across the tool; -1: none. Need not be mutual.
   std::vector<double> thicknesses_m;  ///< between the node and its partner; infinity where there is none
+  /// Of a box with nodes on all six sides: tissue is left to the side that it faces most, or the nodes along
+  /// a rim would push aside what lies below it.
+  bool all_sides = false;
 
   int size() const { return static_cast<int>(positions_m.size()); }
 };

@@ -11,9 +11,9 @@ namespace fissure {
 /// edge lengths; resolution: nodes along the longer and the shorter edge of a large face. The outer nodes
 /// stand on the face's border: with nodes in the middle of cells, tissue slips round the edges of the tool (8
 /// x 8 on a 40 x 15 mm spatula at 0.1 m/s: 2.1 mm deep instead of 0.2). The nodes of the face on the positive
-/// side come first, then those of the other face in the same order.
-/// narrow_faces: the same on the four narrow faces (beyond the paper), no node farther from the next than
-/// on the large faces, partners across the tool.
-ToolNodes makeGridNodes(const Vec3& size_m, const std::array<int, 2>& resolution, bool narrow_faces = false);
+/// side come first, then those of the other face in the same order. narrow_rows > 0, beyond the paper: after
+/// them, in the same way, so many rows on each of the four narrow faces, partners across the tool; along the
+/// rows as many nodes as on a large face.
+ToolNodes makeGridNodes(const Vec3& size_m, const std::array<int, 2>& resolution, int narrow_rows = 0);
 
 }  // namespace fissure

@@ -74,15 +74,18 @@ void NodeAssociation::exclude(std::span<NodeCandidate> candidates) {
   }
 }
 
-// The chosen side keeps the pair until both of its nodes are free.
+// The chosen side keeps the pair until both of its nodes are free, or until it has let go of the tissue while
+// the other side holds some: of a blade that turns in a slit both sides held the slit's walls at first, and
+// the side that turns away must not veto the one that goes on pushing.
 void NodeAssociation::remember(std::span<const NodeCandidate> candidates) {
   for (std::size_t i = 0; i < partners_.size(); ++i) {
     const int own = candidate_of_node_[i];
-    const bool partner_free = partners_[i] < 0 || candidate_of_node_[partners_[i]] < 0;
+    const int opposite = partners_[i] < 0 ? -1 : candidate_of_node_[partners_[i]];
+    const bool opposite_excluded = opposite >= 0 && candidates[opposite].state == NodeState::infeasible;
     std::int64_t& since = held_since_[i];
     if (own >= 0 && candidates[own].state != NodeState::infeasible) {
       if (since == kNotHeld) since = step_;
-    } else if (own >= 0 || partner_free) {
+    } else if (own >= 0 || !opposite_excluded) {
       since = kNotHeld;
     }
   }

@@ -16,6 +16,16 @@ double extentOf(const TriangleMesh& mesh) {
   return (high - low).maxCoeff();
 }
 
+/// Whether the tissue triangle faces the node's side of its box at least as much as any other side.
+bool facesSide(const Vec3& side_normal, const Pose& tool, const Face& face,
+               std::span<const Vec3> positions_m) {
+  const Vec3& corner_m = positions_m[face[0]];
+  const Vec3 outward = (positions_m[face[1]] - corner_m).cross(positions_m[face[2]] - corner_m);
+  const Vec3 in_tool = tool.rotateToBody(outward);
+  constexpr double rounding = 1e-9;
+  return -in_tool.dot(side_normal) >= (1 - rounding) * in_tool.cwiseAbs().maxCoeff();
+}
+
 }  // namespace
 
 NodeRays::NodeRays(const Scene& scene, std::vector<double> margins_m, std::optional<double> ray_length_m)
@@ -23,7 +33,7 @@ NodeRays::NodeRays(const Scene& scene, std::vector<double> margins_m, std::optio
   for (std::size_t t = 0; t < scene.tools.size(); ++t) {
     const ToolNodes& nodes = scene.tools[t].nodes;
     for (int i = 0; i < nodes.size(); ++i) {
-      nodes_.push_back({static_cast<int>(t), nodes.positions_m[i], nodes.normals[i]});
+      nodes_.push_back({static_cast<int>(t), nodes.positions_m[i], nodes.normals[i], nodes.all_sides});
     }
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
@@ -67,6 +77,7 @@ void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span
     std::optional<SurfaceHit> hit = hitBehind(body, path, body_positions_m);
     if (!hit) hit = hitOnPath(body, path, body_positions_m, body_before_m);
     if (!hit) continue;
+    if (node.all_sides && !facesSide(node.normal, pose, body.faces[hit->face], body_positions_m)) continue;
 
     NodeCandidate candidate{.node = static_cast<int>(i), .body = body_index, .face = hit->face};
     candidate.constraint = {.vertices = body.faces[hit->face],

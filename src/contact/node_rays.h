@@ -50,6 +50,7 @@ class NodeRays {
   struct Node {
     int tool = 0;
     Vec3 position_m, normal;  ///< tool frame
+    bool all_sides = false;   ///< the tool has nodes on all its sides
   };
 
   /// A node in this step, scene frame.

@@ -58,6 +58,14 @@ void checkFixed(const std::string& file, const BodySettings& body, const Triangl
     throw InputError(where + " holds every vertex of the body, expected some that can move");
 }
 
+void checkGauges(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
+  for (const GaugeSettings& gauge : body.gauges) {
+    if (verticesIn(gauge.box, rest).empty())
+      throw InputError(file + ": bodies." + body.name + ".gauges." + gauge.name +
+                       " holds no vertex of the body as it is placed, expected at least one");
+  }
+}
+
 using Spoils = bool (*)(DefectKind);
 
 std::vector<std::string> spoiling(const std::vector<Defect>& defects, Spoils spoils) {
@@ -129,8 +137,11 @@ void checkBodies(CheckedScenario& checked) {
   SurfaceReport report(checked, "cannot be simulated", "expected a closed surface with outward faces",
                        spoilsBody);
   for (const BodySettings& body : scenario.bodies) {
-    if (report.check(body.shape, "bodies." + body.name + ".shape") && !body.fixed.empty())
-      checkFixed(checked.file.string(), body, placeBody(body, scenario.directory));
+    if (!report.check(body.shape, "bodies." + body.name + ".shape")) continue;
+    if (body.fixed.empty() && body.gauges.empty()) continue;
+    const TriangleMesh rest = placeBody(body, scenario.directory);
+    if (!body.fixed.empty()) checkFixed(checked.file.string(), body, rest);
+    checkGauges(checked.file.string(), body, rest);
   }
   report.finish();
 }

@@ -12,11 +12,19 @@ namespace fissure {
 
 namespace {
 
+constexpr std::string_view tissues_title =
+    "tissues (fits F = k d^n to the depth d of a whole probe with a round tip of 4 mm radius in liver, 3.16 "
+    "mm else:\n"
+    "  github.com/vu-arma-dev/robot-palpation-data. A law sums over triangles, so its exponent is then the "
+    "tissue's,\n"
+    "  the size of its force is not. lambda = k x 0.5 s/m is an assumption)";
+
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 20> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 21> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
+                                        {tissues_title, tables.tissues},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
                                         {"node placements", tables.node_placements},

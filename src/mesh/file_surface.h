@@ -6,7 +6,7 @@
 
 #include "base/geometry.h"
 #include "mesh/check.h"
-#include "scenario/bodies.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 

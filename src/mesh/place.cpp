@@ -1,6 +1,7 @@
 #include "mesh/place.h"
 
 #include "mesh/file_surface.h"
+#include "mesh/lobes.h"
 #include "mesh/primitives.h"
 
 namespace fissure {
@@ -20,6 +21,9 @@ TriangleMesh makeShape(const CapsuleShape& capsule, const Folder&) {
 }
 TriangleMesh makeShape(const TrianglesShape& given, const Folder&) {
   return {given.vertices_m, given.faces};
+}
+TriangleMesh makeShape(const LobesShape& shape, const Folder&) {
+  return makeLobes(shape);
 }
 TriangleMesh makeShape(const FileShape& shape, const Folder& directory) {
   return loadSurface(shape, directory).mesh;

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "base/geometry.h"
-#include "scenario/motions.h"
+#include "scenario/tools.h"
 
 namespace fissure {
 

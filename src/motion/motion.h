@@ -5,7 +5,7 @@
 
 #include "base/geometry.h"
 #include "base/record.h"
-#include "scenario/motions.h"
+#include "scenario/tools.h"
 
 namespace fissure {
 

@@ -27,7 +27,7 @@ SceneBody makeBody(const BodySettings& body, const std::filesystem::path& direct
 ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   const NodeSettings& nodes = tool.nodes;
   if (tool.nodePlacement() == "grid")
-    return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_faces);
+    return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_rows);
   const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
   if (!nodes.max_spacing_m) return makeCentroidNodes(surface, settings);
   constexpr std::size_t most_nodes = 131072;
@@ -86,6 +86,8 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
     placed.first_vertex = scene.vertexCount();
     placed.first_face = scene.faceCount();
     placed.fixed_vertices = fixedVertices(body, placed.rest);
+    for (const GaugeSettings& gauge : body.gauges)
+      placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
     scene.bodies.push_back(std::move(placed));
   }
   for (const ToolSettings& tool : scenario.tools) {

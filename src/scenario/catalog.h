@@ -17,6 +17,7 @@ struct CatalogEntry {
 struct Catalog {
   std::vector<CatalogEntry> pipelines;
   std::vector<CatalogEntry> force_laws;
+  std::vector<CatalogEntry> tissues;
   std::vector<CatalogEntry> body_shapes;
   std::vector<CatalogEntry> tool_shapes;
   std::vector<CatalogEntry> clamp_openings;

@@ -44,6 +44,7 @@ class Checker {
 
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);
+void checkGauge(Checker check, const GaugeSettings& gauge);
 void checkTool(Checker check, const ToolSettings& tool);
 void checkShape(Checker check, const SurfaceShape& shape);
 void checkClamp(Checker check, const ToolSettings& clamp);

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/geometry.h"
-#include "scenario/bodies.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 

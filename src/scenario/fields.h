@@ -2,6 +2,7 @@
 
 #include "scenario/fields_clamps.h"
 #include "scenario/fields_world.h"
+#include "scenario/tissues.h"
 
 namespace fissure {
 
@@ -66,7 +67,7 @@ void describe(Io& io, NodeSettings& n) {
   io.choice("placement", n.placement, catalog().node_placements);
   const bool grid = n.placement == "grid";
   io.fieldIf(grid, "placement grid", "resolution", n.resolution);
-  io.fieldIf(grid, "placement grid", "narrow_faces", n.narrow_faces);
+  io.fieldIf(grid, "placement grid", "narrow_rows", n.narrow_rows);
   io.fieldIf(!grid, "placement centroids", "max_spacing_m", n.max_spacing_m);
   io.fieldIf(!grid, "placement centroids", "pairing_limit", n.pairing_limit);
   io.fieldIf(!grid, "placement centroids", "lone_nodes", n.lone_nodes);
@@ -116,6 +117,9 @@ void describe(Io& io, ForceSettings& f) {
     io.fieldIf(applies, when, key, value);
   };
   const bool hunt_crossley = f.model == "hunt_crossley", kelvin_voigt = f.model == "kelvin_voigt";
+  io.choiceIf(hunt_crossley && !f.per_area, "model hunt_crossley without per_area", "tissue", f.tissue,
+              catalog().tissues);
+  io.whileReading([&] { applyTissue(f); });
   coefficient(true, "", "k", f.k);
   coefficient(hunt_crossley, "model hunt_crossley", "lambda", f.lambda);
   io.fieldIf(hunt_crossley, "model hunt_crossley", "n", f.n);

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/geometry.h"
-#include "scenario/bodies.h"
 #include "scenario/clamps.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 
@@ -109,51 +109,6 @@ struct ReplayMotion {
   std::optional<DeviceOpening> opening;  ///< of a clamp, which needs it
 
   bool operator==(const ReplayMotion&) const = default;
-};
-
-/// Where a tool's nodes stand, for the pipelines that use nodes.
-struct NodeSettings {
-  /// A name in catalog().node_placements; default: grid for a box, centroids for every other shape.
-  std::optional<std::string> placement;
-  /// Grid: nodes along the longer and the shorter edge of each large face, 1..512.
-  std::array<int, 2> resolution = {8, 8};
-  /// Grid: nodes on the narrow faces too, no farther apart, with partners across the tool. Beyond the paper:
-  /// without them a blade meets nothing with its edge.
-  bool narrow_faces = false;
-  /// Centroids: triangles are split for the placement of nodes until no edge is longer, > 0; default: as they
-  /// are.
-  std::optional<double> max_spacing_m;
-  /// Centroids: the longest pairing ray, in thicknesses of the tool where it runs, > 0. Triangles whose ray
-  /// is longer look along a thin tool, not across it.
-  double pairing_limit = 3.0;
-  /// Centroids: such triangles have nodes all the same, without partners.
-  bool lone_nodes = false;
-  /// Centroids: nodes also on the rim of the triangles that have them. Beyond the paper.
-  bool rim_nodes = true;
-
-  bool operator==(const NodeSettings&) const = default;
-};
-
-/// A rigid tool on a prescribed path; with `clamp` two of them, the jaws NAME_left and NAME_right.
-struct ToolSettings {
-  std::string name;
-  SurfaceShape shape = BoxShape{};  ///< in the tool's frame
-  bool mirrored = false;            ///< the shape's mirror image in x = 0; rigidTools alone says so
-  std::optional<ClampSettings> clamp;
-  NodeSettings nodes;
-  /// Coulomb's coefficient, >= 0, times the body's `solver.dynamic_friction` (pipeline cluster: the smaller
-  /// of the two). Ray casting needs response momentum for it; to `prescribed` tissue sticks in any case.
-  double friction = 0.0;
-  /// The largest force of the haptic device that the tool stands for, > 0 (Falcon: 8 N by CHAI3D's
-  /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
-  std::optional<double> force_limit_N;
-  std::variant<ScriptMotion, ReplayMotion> motion;
-
-  std::string nodePlacement() const {
-    return nodes.placement.value_or(std::holds_alternative<BoxShape>(shape) ? "grid" : "centroids");
-  }
-
-  bool operator==(const ToolSettings&) const = default;
 };
 
 }  // namespace fissure

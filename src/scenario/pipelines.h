@@ -89,6 +89,9 @@ struct ForceSettings {
   std::string deformation = "paper";
   bool per_area =
       false;  ///< the total then converges as the mesh is refined; else it grows with the triangles
+  /// A name in catalog().tissues: k, n and lambda where the file leaves them out (scenario/tissues.h says
+  /// what they are worth); hunt_crossley without per_area only.
+  std::optional<std::string> tissue;
 
   bool operator==(const ForceSettings&) const = default;
 };

@@ -59,6 +59,10 @@ class MapReader {
   void choices(const char* key, std::vector<std::string>& values, const std::vector<CatalogEntry>& table);
   template <class... Ts>
   void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table);
+  template <class Fill>
+  void whileReading(Fill fill) {
+    fill();
+  }
   void nameOr(const char* key, std::string& value, const char* other_key);
   void text(const char* key, std::string& value);
 

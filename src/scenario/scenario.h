@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "scenario/bodies.h"
-#include "scenario/motions.h"
 #include "scenario/pipelines.h"
+#include "scenario/tools.h"
 
 namespace fissure {
 

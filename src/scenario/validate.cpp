@@ -17,9 +17,9 @@ constexpr double max_nodes = 1 << 21;
 constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
 
 /// Checks the items of a named list, each below its name, or below its index where the name is bad or taken.
+/// `seen`: names that are taken; the list's are added.
 template <class Item, class Check>
-void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) {
-  std::set<std::string> seen;
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = items[i].name;
     const bool good = isName(name);
@@ -29,6 +29,12 @@ void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) 
     item.require(!good || fresh, "name", "is \"" + name + "\" again, expected each name once");
     checkItem(item, items[i]);
   }
+}
+
+template <class Item, class Check>
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) {
+  std::set<std::string> seen;
+  checkItems(check, items, checkItem, seen);
 }
 
 /// Duration of the run in seconds as far as the scenario says it; nothing if only a log does.
@@ -69,6 +75,7 @@ double triangleCount(const Scenario& scenario) {
       count += static_cast<double>(list->faces.size());
     if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
     if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) count += capsule->triangles();
+    if (const auto* lobes = std::get_if<LobesShape>(&body.shape)) count += lobes->triangles();
   }
   return count;
 }
@@ -81,7 +88,7 @@ void checkSizes(Checker check, const Scenario& scenario) {
       "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
   double nodes = 0;
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
-    if (tool.nodePlacement() == "grid") nodes += 2.0 * tool.nodes.resolution[0] * tool.nodes.resolution[1];
+    if (tool.nodePlacement() == "grid") nodes += tool.nodes.gridCount();
   }
   check.require(nodes <= max_nodes, "tools",
                 "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));
@@ -176,6 +183,9 @@ std::vector<Problem> validate(const Scenario& scenario) {
   checkSurroundings(check, scenario);
   check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");
   checkItems(check.in("bodies"), scenario.bodies, checkBody);
+  std::set<std::string> gauges;
+  for (const BodySettings& body : scenario.bodies)
+    checkItems(check.in("bodies").in(body.name).in("gauges"), body.gauges, checkGauge, gauges);
   checkItems(check.in("tools"), scenario.tools, checkTool);
   check.require(!scenario.pipelines.empty(), "pipelines", "is empty, expected at least one");
   checkItems(check.in("pipelines"), scenario.pipelines, checkPipeline);

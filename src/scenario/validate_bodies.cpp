@@ -61,6 +61,17 @@ void checkAlternative(Checker check, const FileShape& shape) {
   if (shape.max_edge_m) check.positive("max_edge_m", *shape.max_edge_m);
 }
 
+void checkAlternative(Checker check, const LobesShape& lobes) {
+  check.positive("size_m", lobes.size_m);
+  check.positive("slit_depth_m", lobes.slit_depth_m);
+  check.positive("slit_width_m", lobes.slit_width_m);
+  check.positive("edge_m", lobes.edge_m);
+  check.require(!(lobes.slit_depth_m >= lobes.size_m.y()), "slit_depth_m",
+                "is not below the height, expected lobes that are joined below the slit");
+  check.require(!(lobes.slit_width_m >= lobes.size_m.x() / 2), "slit_width_m",
+                "is half the size across or more, expected a narrower slit");
+}
+
 void checkSolver(Checker check, const SolverSettings& s) {
   check.notNegative("velocity_correction", s.velocity_correction);
   check.between("damping", s.damping, 0, 1);
@@ -96,22 +107,29 @@ void checkClusters(Checker check, const ClusterSettings& c) {
   check.between("matching", c.matching, 0, 1);
 }
 
+void checkBox(Checker check, const BoxRegion& box) {
+  check.finite("min_m", box.min_m);
+  check.finite("max_m", box.max_m);
+  check.require(!(box.min_m.array() > box.max_m.array()).any(), "min_m",
+                "is above max_m, expected at most max_m in each direction");
+}
+
 void checkFixed(Checker check, const FixedRegion& region) {
   check.require(region.below_m.has_value() != region.box.has_value(), "",
                 "expected exactly one of below_m and box");
   if (region.below_m) check.finite("below_m", *region.below_m);
   if (!region.box) return;
-  Checker box = check.in("box");
-  box.finite("min_m", region.box->min_m);
-  box.finite("max_m", region.box->max_m);
-  box.require(!(region.box->min_m.array() > region.box->max_m.array()).any(), "min_m",
-              "is above max_m, expected at most max_m in each direction");
+  checkBox(check.in("box"), *region.box);
 }
 
 }  // namespace
 
 void checkShape(Checker check, const SurfaceShape& shape) {
   std::visit([&](const auto& alternative) { checkAlternative(check, alternative); }, shape);
+}
+
+void checkGauge(Checker check, const GaugeSettings& gauge) {
+  checkBox(check.in("box"), gauge.box);
 }
 
 void checkBody(Checker check, const BodySettings& body) {

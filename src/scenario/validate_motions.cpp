@@ -122,6 +122,7 @@ void checkTool(Checker check, const ToolSettings& tool) {
   nodes.require(placement != "grid" || std::holds_alternative<BoxShape>(tool.shape), "placement",
                 "is grid, expected centroids: only a box has large faces for a grid");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
+  nodes.between("narrow_rows", tool.nodes.narrow_rows, 0, 512);
   if (tool.nodes.max_spacing_m) nodes.positive("max_spacing_m", *tool.nodes.max_spacing_m);
   nodes.positive("pairing_limit", tool.nodes.pairing_limit);
   check.notNegative("friction", tool.friction);

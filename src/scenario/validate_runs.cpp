@@ -41,6 +41,10 @@ void checkForce(Checker check, const ForceSettings& force) {
   check.oneOf("rate", force.rate, catalog().rates);
   check.notNegative("c", force.c);
   check.oneOf("deformation", force.deformation, catalog().deformations);
+  if (!force.tissue) return;
+  check.oneOf("tissue", *force.tissue, catalog().tissues);
+  check.require(force.model == "hunt_crossley" && !force.per_area, "tissue",
+                "is given, expected it only for model hunt_crossley without per_area");
 }
 
 void checkRecord(Checker check, const RecordSettings& record) {

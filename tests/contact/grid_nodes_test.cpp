@@ -23,6 +23,30 @@ TEST(GridNodes, PutsMutualPairsOnBothLargeFacesOfASpatula) {
   }
 }
 
+TEST(GridNodes, PutsRowsOnTheNarrowFacesToo) {
+  const Vec3 size(0.04, 0.002, 0.015);
+  const ToolNodes nodes = makeGridNodes(size, {8, 4}, 3);
+  const ToolNodes large = makeGridNodes(size, {8, 4});
+  EXPECT_TRUE(nodes.all_sides);
+  EXPECT_FALSE(large.all_sides);
+  ASSERT_EQ(nodes.size(), 2 * 8 * 4 + 2 * 3 * (8 + 4));
+  for (int i = 0; i < large.size(); ++i) EXPECT_EQ(nodes.positions_m[i], large.positions_m[i]);
+  std::array<int, 3> count{};
+  for (int i = 0; i < nodes.size(); ++i) {
+    const int partner = nodes.partners[i];
+    int axis = 0;
+    nodes.normals[i].cwiseAbs().maxCoeff(&axis);
+    ++count[axis];
+    EXPECT_EQ(nodes.partners[partner], i);
+    EXPECT_EQ(nodes.normals[i], Vec3(-nodes.normals[partner]));
+    EXPECT_DOUBLE_EQ(nodes.positions_m[i].dot(nodes.normals[i]), size[axis] / 2);
+    EXPECT_DOUBLE_EQ(nodes.thicknesses_m[i], size[axis]);
+    const Vec3 across = nodes.positions_m[i] - nodes.positions_m[partner];
+    EXPECT_DOUBLE_EQ(across.norm(), size[axis]) << "straight across the tool";
+  }
+  EXPECT_EQ(count, (std::array<int, 3>{2 * 3 * 4, 2 * 8 * 4, 2 * 3 * 8}));
+}
+
 TEST(GridNodes, ReachTheBorderOfTheFace) {
   const ToolNodes nodes = makeGridNodes({0.04, 0.002, 0.015}, {8, 8});
   Vec3 low = Vec3::Constant(1), high = Vec3::Constant(-1);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 #include "contact/grid_nodes.h"
 #include "mesh/primitives.h"
@@ -202,6 +203,36 @@ TEST_F(NodeContactTest, WhatTheStepBroughtIsNeverCapped) {
   moveTo(0.021);
   EXPECT_EQ(state.capped_count, 0);
   EXPECT_EQ(lower(NodeState::feasible), 9);
+}
+
+// A blade on edge, 1 mm deep in the ridge of a flat roof, which looks up more than aside: of the nodes at its
+// rim only those that look down may push it; those of the large faces beside them would push half the roof
+// aside.
+TEST_F(NodeContactTest, WithNodesOnAllSidesTissueIsLeftToTheSideThatItFaces) {
+  TriangleMesh& roof = scene.bodies[0].rest;
+  roof = makeSphere(0.03, 0);
+  for (Vec3& v : roof.vertices_m) v = v.cwiseProduct(Vec3(2, 1, 2));
+  for (const int narrow_rows : {0, 2}) {
+    positions.clear();
+    now.clear();
+    build(0.002);
+    scene.tools[0].nodes = makeGridNodes({0.02, 0.01, 0.002}, {3, 3}, narrow_rows);
+    contact.emplace(scene, NodeContactSettings{.margins_m = {kMargin_m}});
+    moveTo(0.036);
+    moveTo(0.034);
+    std::set<std::pair<int, bool>> sides;  // axis of the acting nodes' normals, and whether along it
+    for (std::size_t i = 0; i < state.node_states.size(); ++i) {
+      if (state.node_states[i] != NodeState::feasible && state.node_states[i] != NodeState::capped) continue;
+      int axis = 0;
+      scene.tools[0].nodes.normals[i].cwiseAbs().maxCoeff(&axis);
+      sides.insert({axis, scene.tools[0].nodes.normals[i][axis] > 0});
+    }
+    if (narrow_rows == 0) {
+      EXPECT_EQ(sides, (std::set<std::pair<int, bool>>{{2, true}})) << "sideways";
+    } else {
+      EXPECT_EQ(sides, (std::set<std::pair<int, bool>>{{1, false}})) << "downwards";
+    }
+  }
 }
 
 TEST_F(NodeContactTest, TissueOnBothSidesOfABladeIsNoConflict) {

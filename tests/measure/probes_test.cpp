@@ -88,6 +88,40 @@ TEST_F(ProbesTest, DeclareOnlyWhatTheSceneNeeds) {
   EXPECT_EQ(scalar("max_force_N").name, "absent");
 }
 
+// Two vertices of the second body, by numbers made up; what counts is the way since the first sample.
+TEST_F(ProbesTest, AGaugeIsTheMeanWayOfItsVerticesSinceTimeZero) {
+  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1}), makeBox({0.2, 0.2, 0.2})}, {});
+  scene_.bodies[0].gauges = {{"one", {3}}};
+  scene_.bodies[1].gauges = {{"two", {0, 7}}};
+  state_ = test::restState(scene_, {});
+  for (Vec3& position_m : state_.positions_m) position_m += Vec3(1, 2, 3);  // settled somewhere else
+  start();
+  EXPECT_EQ(layout_.axis("gauge").labels, (Names{"one", "two"}));
+  EXPECT_TRUE(std::isnan(real("gauge_one_x_max_m"))) << "never sampled";
+  step();
+  EXPECT_EQ(value("gauge_displacement", 3), 0);
+  state_.positions_m[8 + 0] += Vec3(0.2, 0, 0);
+  state_.positions_m[8 + 7] += Vec3(0.4, -0.1, 0);
+  state_.positions_m[8 + 5] += Vec3(9, 9, 9);
+  step();
+  EXPECT_EQ(value("gauge_displacement", 0), 0);
+  EXPECT_NEAR(value("gauge_displacement", 3), 0.3, 1e-15);
+  EXPECT_NEAR(value("gauge_displacement", 4), -0.05, 1e-15);
+  state_.positions_m[8 + 0] -= Vec3(1.2, 0, 0);
+  step();
+  EXPECT_NEAR(real("gauge_two_x_max_m"), 0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_x_min_m"), -0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_x_final_m"), -0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_y_min_m"), -0.05, 1e-15);
+  EXPECT_EQ(real("gauge_two_y_max_m"), 0);
+  EXPECT_EQ(real("gauge_one_z_min_m"), 0);
+  state_.positions_m[3].x() = kNaN;
+  step();
+  state_.positions_m[3].x() = 0;
+  step();
+  EXPECT_TRUE(std::isnan(real("gauge_one_x_min_m")) && std::isnan(real("gauge_one_x_max_m")));
+}
+
 TEST_F(ProbesTest, DeclareNodeAndForceSeriesWhereTheyExist) {
   addNodes(4);
   addLaws({"hc", "linear"});

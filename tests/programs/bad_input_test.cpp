@@ -70,6 +70,15 @@ TEST(BadRelation, FixedRegionsThatHoldNothingOrAll) {
   expectRefused(runFissure(folder, {"run", "key.yaml"}), "key.yaml:10: unknown key \"max\"");
 }
 
+TEST(BadRelation, AGaugeThatHoldsNothing) {
+  const Folder folder;
+  folder.write("s.yaml", with(pressScenario(), "    mass_kg: 0.1",
+                              "    gauges: [{name: far, box: {min_m: [1, 1, 1], max_m: [2, 2, 2]}}]\n"
+                              "    mass_kg: 0.1"));
+  for (const char* verb : {"run", "validate"})
+    expectRefused(runFissure(folder, {verb, "s.yaml"}), "bodies.sphere.gauges.far holds no vertex");
+}
+
 TEST(BadRelation, FrictionWithoutAForce) {
   const Folder folder;
   folder.write("s.yaml", with(pressScenario("[{pipeline: raycast}]"), "nodes:", "friction: 0.3\n    nodes:"));

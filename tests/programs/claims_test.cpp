@@ -1,6 +1,9 @@
 // The claims of README on the shipped configs: what holds, what does not.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/geometry.h"
 #include "program.h"
 #include "store/read_series.h"
@@ -115,6 +118,107 @@ TEST(Claims, TwoPlatesWithFrictionLiftASphereAndHoldIt) {
   words.insert(words.end(), {"--set", "tools.left.friction=0", "--set", "tools.right.friction=0"});
   ASSERT_EQ(runFissure(folder, words).code, 0);
   EXPECT_LT(heights_m(folder / "out.h5").back(), 0.035);
+}
+
+// Nodes on the narrow faces hold a blade that comes edge first; without them its large faces tear the tissue.
+TEST(Claims, ABladeThatComesEdgeFirstIsHeldByNodesOnItsNarrowFaces) {
+  const auto edge = [](const std::string& speed_m_s, const std::string& rows) {
+    const Folder folder;
+    const Outcome outcome = runFissure(
+        folder, {"run", FISSURE_SOURCE_DIR "/configs/spatula_edge_on.yaml", "--no-frames", "--no-expect",
+                 "-o", "out.h5", "--pipeline", "fukuhara", "--set", "tools.spatula.nodes.narrow_rows=" + rows,
+                 "--set", "tools.spatula.motion.segments.0.speed_m_s=" + speed_m_s});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return quantity(readResultInfo(folder / "out.h5"), "fukuhara", "max_penetration_depth_m");
+  };
+  for (const std::string speed_m_s : {"0.02", "0.1", "0.5", "2"}) {
+    EXPECT_LE(edge(speed_m_s, "2"), 0.0001) << speed_m_s;
+    EXPECT_GT(edge(speed_m_s, "0"), 0.001) << speed_m_s;
+  }
+}
+
+// Let go at 2 m/s, tissue is held back by nothing: the blade feels no pull, by the law and by what the
+// contacts took, and contact ends while the tissue still rises.
+TEST(Claims, AWithdrawnSpatulaNeitherPullsNorSticks) {
+  const Folder folder;
+  const Outcome outcome = runFissure(folder, {"run", FISSURE_SOURCE_DIR "/configs/spatula_withdraw.yaml",
+                                              "--no-frames", "--pipeline", "fukuhara", "-o", "out.h5"});
+  ASSERT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const std::string group = "/pipelines/fukuhara/";
+  for (const std::string series : {"force", "reaction_force"}) {
+    const SeriesData force_N = readSeries(folder / "out.h5", group + series);
+    double least_N = 0, largest_N = 0;
+    for (std::size_t i = 1; i < force_N.values.size(); i += 3) {
+      ASSERT_FALSE(std::isnan(force_N.values[i]) && i > 3) << series;
+      least_N = std::min(least_N, force_N.values[i]);
+      largest_N = std::max(largest_N, force_N.values[i]);
+    }
+    EXPECT_GE(least_N, 0) << series << " pulls the blade down";
+    EXPECT_GT(largest_N, 20) << series;
+  }
+  const SeriesData contacts = readSeries(folder / "out.h5", group + "contact_count");
+  const std::size_t withdrawn = 410 + 42;  // steps until it moves, and until it is at the top
+  for (std::size_t i = withdrawn; i < contacts.values.size(); ++i) ASSERT_EQ(contacts.values[i], 0) << i;
+}
+
+TEST(Claims, APalpatingArmIsHeldAtEveryTouch) {
+  const Folder folder;
+  const Outcome outcome = runFissure(
+      folder, {"run", FISSURE_SOURCE_DIR "/configs/replay_palpation.yaml", "--no-frames", "-o", "out.h5"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err << outcome.out;
+  const SeriesData force_N = readSeries(folder / "out.h5", "/pipelines/fukuhara/force");
+  int touches = 0;  // upward crossings
+  for (std::size_t i = 4; i < force_N.values.size(); i += 3)
+    if (force_N.values[i] >= 0.3 && force_N.values[i - 3] < 0.3) ++touches;
+  EXPECT_GE(touches, 5);
+}
+
+/// A fissure config through the full method and through the same without feasibility.
+ResultInfo part(const std::string& config, const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  std::vector<std::string> words = {"run",         FISSURE_SOURCE_DIR "/configs/" + config,
+                                    "--no-frames", "--no-expect",
+                                    "-o",          "out.h5",
+                                    "--pipeline",  "fukuhara",
+                                    "--pipeline",  "no_pairs"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = runFissure(folder, words);
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  return readResultInfo(folder / "out.h5");
+}
+
+/// Both lobes parted alike by more than `least_m`, and nothing torn.
+void expectPartedAlike(const ResultInfo& info, double least_m) {
+  const double left_m = -quantity(info, "fukuhara", "gauge_left_x_final_m");
+  const double right_m = quantity(info, "fukuhara", "gauge_right_x_final_m");
+  EXPECT_GT(left_m, least_m);
+  EXPECT_NEAR(left_m / right_m, 1, 0.05);
+  EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0001);
+  EXPECT_EQ(quantity(info, "fukuhara", "passed_through_samples"), 0);
+  EXPECT_EQ(quantity(info, "fukuhara", "max_inverted_triangles"), 0);
+}
+
+void expectTornWithoutFeasibility(const ResultInfo& info) {
+  EXPECT_GT(quantity(info, "no_pairs", "max_inverted_triangles"), 50);
+  EXPECT_GT(quantity(info, "no_pairs", "passed_through_samples"), 50);
+}
+
+TEST(Claims, AFissureIsOpenedAlikeOnBothSidesByOneSpatulaAndByTwo) {
+  const ResultInfo turned = part("fissure_open.yaml");
+  expectPartedAlike(turned, 0.002);
+  expectTornWithoutFeasibility(turned);
+  const ResultInfo retracted = part("fissure_retract.yaml");
+  expectPartedAlike(retracted, 0.01);
+  expectTornWithoutFeasibility(retracted);
+}
+
+// A blade thicker than the slit goes straight down in its middle: both faces hold tissue, at the same pairs
+// of nodes.
+TEST(Claims, ABladeInTheMiddleOfANarrowSlitPartsBothLobesAlike) {
+  const std::string down =
+      "tools.spatula.motion.segments=[{move_to_m: [0, 0.04, 0], speed_m_s: 0.1}, {hold_s: 0.1}]";
+  expectPartedAlike(
+      part("fissure_open.yaml", {"--set", down, "--set", "bodies.lobes.shape.slit_width_m=0.001"}), 0.0005);
 }
 
 // On 128 triangles single vertices slip in between nodes 5 mm apart before any node has contact.

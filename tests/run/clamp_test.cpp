@@ -261,7 +261,7 @@ TEST_F(ClampRun, AHandleChangesNothing) {
   const Seen without = seen;
   const std::vector<State> states = states_;
   // Where it would squash the sphere, if it met it.
-  clamp().handle = {ClampPart{.shape = {Vec3(0.05, 0.05, 0.05)}}};
+  clamp().handle = {ClampPart{.shape = BoxShape{Vec3(0.05, 0.05, 0.05)}}};
   execute();
   EXPECT_EQ(std::get<std::string>(seen.summary.at("final_state_hash").value),
             std::get<std::string>(without.summary.at("final_state_hash").value));
@@ -270,8 +270,8 @@ TEST_F(ClampRun, AHandleChangesNothing) {
 }
 
 TEST_F(ClampRun, AHandleIsMadeOnlyWhereFramesAreDrawn) {
-  clamp().handle = {ClampPart{.shape = {Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.1, 0}},
-                    ClampPart{.shape = {Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.2, 0}}};
+  clamp().handle = {ClampPart{.shape = BoxShape{Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.1, 0}},
+                    ClampPart{.shape = BoxShape{Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.2, 0}}};
   EXPECT_TRUE(buildScene(scenario, true).clamps.at(0).handle.vertices_m.empty());
   scenario.record.frames = FrameSettings{};
   const Scene scene = buildScene(scenario, true);

@@ -89,10 +89,10 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
-  for (const auto* table :
-       {&c.pipelines, &c.force_laws, &c.body_shapes, &c.tool_shapes, &c.clamp_openings, &c.motions,
-        &c.timings, &c.interpolations, &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
-        &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
+  for (const auto* table : {&c.pipelines, &c.force_laws, &c.tissues, &c.body_shapes, &c.tool_shapes,
+                            &c.clamp_openings, &c.node_placements, &c.motions, &c.timings, &c.interpolations,
+                            &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
+                            &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));
@@ -116,6 +116,7 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.body_shapes, Shapes(TrianglesShape{}).index()), "triangles");
   EXPECT_EQ(at(c.body_shapes, Shapes(FileShape{}).index()), "file");
   EXPECT_EQ(at(c.body_shapes, Shapes(CapsuleShape{}).index()), "capsule");
+  EXPECT_EQ(at(c.body_shapes, Shapes(LobesShape{}).index()), "lobes");
   EXPECT_EQ(at(c.clamp_openings, ClampOpening::parallel), "parallel");
   EXPECT_EQ(at(c.clamp_openings, ClampOpening::hinged), "hinged");
   using Motions = decltype(ToolSettings::motion);

@@ -262,6 +262,50 @@ TEST(Validate, FixedRegions) {
   });
 }
 
+TEST(Validate, Lobes) {
+  const auto with = [](auto change) {
+    return [=](Scenario& s) {
+      LobesShape lobes;
+      change(lobes);
+      s.bodies[0].shape = lobes;
+    };
+  };
+  Scenario good = full();
+  with([](LobesShape&) {})(good);
+  EXPECT_TRUE(validate(good).empty());
+  expectProblems({
+      {"bodies.ball.shape.size_m", with([](LobesShape& l) { l.size_m.z() = 0; })},
+      {"bodies.ball.shape.slit_depth_m", with([](LobesShape& l) { l.slit_depth_m = 0; })},
+      {"bodies.ball.shape.slit_depth_m", with([](LobesShape& l) { l.slit_depth_m = l.size_m.y(); })},
+      {"bodies.ball.shape.slit_width_m", with([](LobesShape& l) { l.slit_width_m = -0.001; })},
+      {"bodies.ball.shape.slit_width_m", with([](LobesShape& l) { l.slit_width_m = l.size_m.x() / 2; })},
+      {"bodies.ball.shape.edge_m", with([](LobesShape& l) { l.edge_m = nan; })},
+      {"bodies", with([](LobesShape& l) { l.edge_m = 1e-5; })},
+  });
+}
+
+TEST(Validate, Gauges) {
+  const BoxRegion box{Vec3(0, 0, 0), Vec3(1, 1, 1)};
+  const auto with = [](const GaugeSettings& gauge) {
+    return [gauge](Scenario& s) { s.bodies[0].gauges = {{"first", {}}, gauge}; };
+  };
+  Scenario good = full();
+  with({"second", box})(good);
+  EXPECT_TRUE(validate(good).empty());
+  expectProblems({
+      {"bodies.ball.gauges.1.name", with({"first", box})},
+      {"bodies.ball.gauges.1.name", with({"a b", box})},
+      {"bodies.ball.gauges.a.box.min_m", with({"a", BoxRegion{Vec3(2, 0, 0), Vec3(1, 1, 1)}})},
+      {"bodies.ball.gauges.a.box.max_m", with({"a", BoxRegion{Vec3(0, 0, 0), Vec3(1, nan, 1)}})},
+      {"bodies.twin.gauges.0.name",
+       [](Scenario& s) {
+         s.bodies.push_back(s.bodies[0]);
+         s.bodies[1].name = "twin";
+         s.bodies[0].gauges = s.bodies[1].gauges = {{"same", {}}};
+       }},
+  });
+}
+
 TEST(Validate, MeshFiles) {
   Scenario s = full();
   FileShape shape;
@@ -292,6 +336,7 @@ TEST(Validate, Scripts) {
       {"tools.blade.shape.size_m", [](Scenario& s) { std::get<BoxShape>(s.tools[0].shape).size_m.y() = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[1] = 0; }},
       {"tools.blade.nodes.resolution", [](Scenario& s) { s.tools[0].nodes.resolution[0] = 513; }},
+      {"tools.blade.nodes.narrow_rows", [](Scenario& s) { s.tools[0].nodes.narrow_rows = -1; }},
       {"tools.blade.friction", [](Scenario& s) { s.tools[0].friction = -1; }},
       {"tools.blade.force_limit_N", [](Scenario& s) { s.tools[0].force_limit_N = 0; }},
       {"tools.blade.force_limit_N", [](Scenario& s) { s.tools[0].force_limit_N = nan; }},

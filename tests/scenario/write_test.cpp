@@ -41,16 +41,19 @@ const char* const every_field =
     "    clusters: {count: 7, iterations: 8, rigid_hardness: 0.11, kinematic_hardness: 0.12,\n"
     "               soft_hardness: 0.13, rigid_split: 0.14, kinematic_split: 0.15, soft_split: 0.16,\n"
     "               node_damping: 0.17, linear_damping: 0.18, angular_damping: 0.19, matching: 0.2}\n"
+    "    gauges: [{name: top, box: {min_m: [-1, 1, 2], max_m: [3, 4, 5]}}]\n"
     "  - {name: cube, shape: {type: box, size_m: [0.1, 0.2, 0.3]}}\n"
     "  - name: tetrahedron\n"
     "    shape:\n"
     "      type: triangles\n"
     "      vertices_m: [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]\n"
     "      faces: [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]\n"
+    "  - {name: lobes, shape: {type: lobes, size_m: [0.1, 0.2, 0.3], slit_depth_m: 0.12, slit_width_m: 0.01, "
+    "edge_m: 0.07}}\n"
     "tools:\n"
     "  - name: blade\n"
     "    shape: {type: box, size_m: [0.05, 0.003, 0.016]}\n"
-    "    nodes: {resolution: [9, 5]}\n"
+    "    nodes: {resolution: [9, 5], narrow_rows: 4}\n"
     "    friction: 0.15\n"
     "    force_limit_N: 7.5\n"
     "    motion:\n"
@@ -91,7 +94,7 @@ const char* const every_field =
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
     "force:\n"
-    "  - {name: hc, model: hunt_crossley, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
+    "  - {name: hc, model: hunt_crossley, tissue: meat_4, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
     "  - {model: linear_elastic, k: 202}\n"
     "  - {model: kelvin_voigt, k: 203, c: 3, rate: velocities, deformation: corotated, per_area: true}\n"
     "record:\n"
@@ -142,13 +145,15 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                 ball.fixed,
                                 ball.material,
                                 ball.solver,
-                                ball.clusters}));
+                                ball.clusters,
+                                {{"top", BoxRegion{{-1, 1, 2}, {3, 4, 5}}}}}));
   EXPECT_EQ(ball.clusters,
             (ClusterSettings{7, 8, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17, 0.18, 0.19, 0.2}));
   EXPECT_EQ(std::get<BoxShape>(s.bodies[1].shape).size_m, Vec3(0.1, 0.2, 0.3));
   const auto& triangles = std::get<TrianglesShape>(s.bodies[2].shape);
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
+  EXPECT_EQ(std::get<LobesShape>(s.bodies[3].shape), (LobesShape{{0.1, 0.2, 0.3}, 0.12, 0.01, 0.07}));
   EXPECT_EQ(s.pipelines[0],
             (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, {}, {}, 30, 0.005, 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
@@ -158,7 +163,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
       (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
-                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities"},
+                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities", 1, "paper", false, "meat_4"},
                 {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"},
                 {"kelvin_voigt", "kelvin_voigt", 203, 50, 1.3, "velocities", 3, "corotated", true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
@@ -173,6 +178,7 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   const Scenario s = loadScenario(write("every.yaml", every_field)).scenario;
   ASSERT_EQ(s.tools.size(), 3u);
   EXPECT_EQ(s.tools[0].nodes.resolution, (std::array<int, 2>{9, 5}));
+  EXPECT_EQ(s.tools[0].nodes.narrow_rows, 4);
   EXPECT_EQ(s.tools[0].friction, 0.15);
   EXPECT_EQ(s.bodies[0].fixed,
             (std::vector<FixedRegion>{{-0.01, {}}, {{}, BoxRegion{{0, 1, 2}, {3, 4, 5}}}}));
