@@ -26,10 +26,13 @@ class Inside {
   std::optional<SurfaceHit> exit(const Vec3& from_m, const Vec3& direction) const {
     // A little ahead of its start: rounding must not let a ray hit the triangle that it starts on.
     const double extent_m = box_.sizes().maxCoeff();
-    const Vec3 start_m = from_m + 1e-9 * extent_m * direction;
+    const double ahead_m = 1e-9 * extent_m;
     long long tests = 0;
-    const auto hit = tree_.firstHit(Ray(start_m, direction, 2 * extent_m), surface_.vertices_m, tests);
-    return hit && hit->at.cosine > 0 ? hit : std::nullopt;
+    auto hit = tree_.firstHit(Ray(from_m + ahead_m * direction, direction, 2 * extent_m), surface_.vertices_m,
+                              tests);
+    if (!hit || !(hit->at.cosine > 0)) return std::nullopt;
+    hit->at.distance_m += ahead_m;
+    return hit;
   }
 
   /// Where a pairing ray leaves the tool; no value: nowhere, or it is too long (makeCentroidNodes).

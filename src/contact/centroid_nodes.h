@@ -18,7 +18,7 @@ struct CentroidNodeSettings {
 /// Its partner is the node of the first triangle that a ray from the centroid into the tool leaves the tool
 /// through; association need not be mutual. thickness = the ray's length. Where the ray runs along a thin
 /// tool instead of across it, as from the triangles of a side edge, it is longer than the limit, and the
-/// triangle has no node: it would push tissue sideways out from under the tool (results/shapes).
+/// triangle has no node: it would push tissue sideways out from under the tool.
 /// Rim nodes (beyond the paper): at the corners where triangles with nodes meet such without, or one another
 /// at more than 60 degrees; centroids alone leave tissue room to slip round there.
 ToolNodes makeCentroidNodes(const TriangleMesh& surface, const CentroidNodeSettings& settings = {});

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "base/error.h"
 #include "contact/grid_nodes.h"
 #include "mesh/place.h"
 #include "mesh/primitives.h"
@@ -380,6 +381,32 @@ TEST(Simulation, TheDefaultLetsTheSpatulaInAndTheFullMethodHolds) {
 }
 
 // The reference without contact detection: a vertex that the blade reaches stays where it met the blade.
+/// The same blade as a box and as its triangles.
+TEST(Simulation, BulletMeetsTheHullOfTrianglesAsItMeetsABox) {
+  Scenario scenario = press();
+  std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
+  scenario.tools[0].shape = BoxShape{Vec3(0.08, 0.005, 0.08)};
+  const PipelineSettings entry{.name = "default", .pipeline = "default", .settings = "tuned"};
+  const auto pressed = [&](const Scene& scene) {
+    auto simulation = makeSimulation(scenario, entry, scene, {at(0.063)});
+    for (int i = 1; i <= 60; ++i) simulation->step({at(0.063 - 0.0002 * i)});
+    return simulation->state();
+  };
+  Scene scene = sceneOf(scenario, false);
+  const State box = pressed(scene);
+  scene.tools[0].box_size_m.reset();
+  const State hull = pressed(scene);
+  EXPECT_GT(box.contact_count, 10);
+  EXPECT_EQ(hull.contact_count, box.contact_count);
+  for (std::size_t v = 0; v < box.positions_m.size(); ++v)
+    EXPECT_LT((hull.positions_m[v] - box.positions_m[v]).norm(), 1e-4) << v;
+  scene.tools[0].closed = false;
+  EXPECT_THROW(pressed(scene), InputError);
+  scene.tools[0].closed = true;
+  scene.tools[0].surface.vertices_m[0] *= 0.5;
+  EXPECT_THROW(pressed(scene), InputError) << "not convex any more";
+}
+
 TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
   Press press("prescribed");
   int top = 0;

@@ -56,6 +56,60 @@ TEST(Mesh, ValidateNamesEachDefectInALineAndRefuses) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"organ.stl", "s.yaml"}));
 }
 
+std::string summaryText(const ResultInfo& info, const std::string& name) {
+  for (const SummaryValue& value : info.pipelines.at(0).summary)
+    if (value.name == name)
+      if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
+  return "none";
+}
+
+/// The press of scenarios.h with a tool from a file of ours or others'.
+std::string toolScenario(const fs::path& mesh, const std::string& pipeline = "fukuhara") {
+  return with(
+      with(pressScenario("[{pipeline: " + pipeline + "}]"), "{type: box, size_m: [0.04, 0.002, 0.015]}",
+           "{type: file, file: " + mesh.string() + ", unit: mm}"),
+      "    nodes: {resolution: [4, 4]}\n", "");
+}
+
+TEST(ToolMesh, OneThatIsNotConvexIsRefusedForBulletAlone) {
+  const Folder folder;
+  fs::copy_file(meshes.parent_path() / "hooked_spatula.obj", folder / "hook.obj");
+  folder.write("s.yaml", toolScenario("hook.obj", "default"));
+  const Outcome refused = runFissure(folder, {"run", "s.yaml"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err,
+            "s.yaml: tools.spatula.shape is not convex and closed, and run default (pipeline default) needs "
+            "that, expected pipelines raycast and fukuhara alone\n");
+  folder.write("s.yaml", toolScenario("hook.obj"));
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5"}).code, 0);
+  EXPECT_NE(runFissure(folder, {"plan", "s.yaml"}).out.find("252 triangles"), std::string::npos);
+}
+
+// It is measured as far as an open surface allows, and the result says what is not.
+TEST(ToolMesh, AnOpenOneIsUsedAndWhatNeedsItsInsideIsNamed) {
+  const Folder folder;
+  fs::copy_file(meshes / "atraumatic_forceps_jaw_left.stl", folder / "jaw.stl");
+  folder.write("s.yaml", toolScenario("jaw.stl"));
+  EXPECT_NE(runFissure(folder, {"validate", "s.yaml"}).out.find("10 boundary edges"), std::string::npos);
+  const Outcome run = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_EQ(summaryText(readResultInfo(folder / "out.h5"), "not_measured"),
+            "depth of tissue vertices in tools whose surface is open: spatula");
+}
+
+TEST(ToolMesh, OneWhoseFacesDisagreeIsRefused) {
+  const Folder folder;
+  fs::copy_file(meshes / "liver_collision_grasp.stl", folder / "tool.stl");
+  folder.write("s.yaml", toolScenario("tool.stl"));
+  const Outcome outcome = runFissure(folder, {"validate", "s.yaml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(
+      outcome.err.find("s.yaml: tools.spatula.shape: cannot be used, expected faces that agree about the "
+                       "outside\n"),
+      std::string::npos)
+      << outcome.err;
+}
+
 TEST(Mesh, AWrongUnitIsSuspected) {
   const Folder folder;
   copyMesh(folder, "gallbladder_collision.stl");
@@ -67,13 +121,6 @@ TEST(Mesh, AWrongUnitIsSuspected) {
       << outcome.err;
   folder.write("s.yaml", organScenario());
   EXPECT_EQ(runFissure(folder, {"validate", "s.yaml"}).out, "s.yaml: ok\n");
-}
-
-std::string summaryText(const ResultInfo& info, const std::string& name) {
-  for (const SummaryValue& value : info.pipelines.at(0).summary)
-    if (value.name == name)
-      if (const auto* text = std::get_if<std::string>(&value.value)) return *text;
-  return "none";
 }
 
 TEST(Mesh, RepairsAreDoneWhenAskedAndListedInTheResult) {
