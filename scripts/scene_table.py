@@ -35,11 +35,12 @@ SUMMARY = {
     "force_roughness": "roughness",
 }
 REASONS = {
-    "replay_falcon": "a lone edge of tissue over the rim of the blade, between two nodes. The log shifts the body until, while the "
-    "blade holds still, one triangle of 128 (edges of 13 to 15 mm) hangs over the blade's long rim in the middle of a gap of 5.7 mm "
-    "between two rim nodes; the deepest point, 0.56 mm, lies on the rim there, for 30 ms. Nodes see only what lies before them; the "
-    "narrow side has none. With 12 x 8 or 8 x 16 nodes instead of 8 x 8 it is 0.01 or 0.00 mm. (`narrow_rows` is no remedy here: pressed "
-    "broadside this deep, the tissue is torn over the rim, 1.2 to 2.6 mm deep.)",
+    "replay_falcon": "a lone edge of tissue across the rim of the blade, between two nodes. Pressed 24 mm deep the body shifts while the "
+    "blade holds still, until one edge (15 mm long) crosses the long rim in the middle of the 5.7 mm between two nodes, where nodes see "
+    "nothing. The contact of its own that such an edge has gives way over 10 ms, and more than two margins deep it lets the edge go; the "
+    "deepest point, 0.56 mm, lies on the rim, for 30 ms in all. With 60 sweeps instead of 30 it is 0.14 mm (300: 0.28), with a margin "
+    "of 1 mm 0.00, with 12 x 8 or 8 x 16 nodes 0.01 or 0.00. `narrow_rows` is no remedy: in so "
+    "deep a press it tears the tissue over the rim, 1.2 to 2.6 mm deep.",
 }
 HEAD = """# Scenes x pipelines x speeds
 
