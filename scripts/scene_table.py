@@ -44,7 +44,7 @@ REASONS = {
 }
 HEAD = """# Scenes x pipelines x speeds
 
-    /usr/bin/python3 scripts/scene_table.py               # these tables and scenes.csv, six minutes on two cores
+    /usr/bin/python3 scripts/scene_table.py               # these tables and scenes.csv, eight minutes on two cores
     /usr/bin/python3 scripts/scene_table.py --pictures    # the strips: first contact, halfway and end, `fukuhara`, speeds as in configs/
 
 Every scene of configs/ that has a tool. x: factor on the speeds of all motion segments (durations divided, holds as they are); replayed
