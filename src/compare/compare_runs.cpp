@@ -42,8 +42,9 @@ std::string columnName(const StoredQuantity& quantity, std::size_t column) {
     const std::size_t at = column % axis->length;
     column /= axis->length;
     if (axis->length == 1 && axis->labels.empty()) continue;
-    const std::string name = axis->labels.empty() ? axis->name + " " + std::to_string(at) : axis->labels[at];
-    text = name + (text.empty() ? "" : ", ") + text;
+    std::string name = axis->labels.empty() ? axis->name + " " + std::to_string(at) : axis->labels[at];
+    if (!text.empty()) name.append(", ").append(text);
+    text = std::move(name);
   }
   return text;
 }
@@ -141,7 +142,7 @@ const std::vector<std::size_t>& SeriesComparer::partners(const std::string& row_
 std::vector<double> SeriesComparer::rowsOfA(const StoredQuantity& a,
                                             std::span<const std::size_t> partners) const {
   const std::size_t columns = a.columns();
-  const std::vector<double> range = a_.rows(a, partners.front(), partners.back() - partners.front() + 1);
+  std::vector<double> range = a_.rows(a, partners.front(), partners.back() - partners.front() + 1);
   if (range.size() == partners.size() * columns) return range;
   std::vector<double> picked;
   picked.reserve(partners.size() * columns);

@@ -96,7 +96,8 @@ class SurfaceReport {
     if (defects.empty()) return true;
     all_.append(all_.empty() ? "" : "; ").append(path).append(": ");
     for (const std::string& defect : defects) {
-      if (!std::holds_alternative<FileShape>(shape)) lines_.push_back(path + ": " + defect);
+      if (!std::holds_alternative<FileShape>(shape))
+        lines_.push_back(std::string(path).append(": ").append(defect));
       all_.append(&defect == &defects.front() ? "" : "; ").append(defect);
     }
     lines_.push_back(path + ": " + what_ + ", " + expected_);
