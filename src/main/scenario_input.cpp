@@ -157,6 +157,17 @@ void checkConvex(const CheckedScenario& checked, const SceneTool& tool) {
   }
 }
 
+Scene sceneOf(const CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const bool with_nodes = std::any_of(scenario.pipelines.begin(), scenario.pipelines.end(),
+                                      [](const PipelineSettings& entry) { return entry.usesNodes(); });
+  try {
+    return buildScene(scenario, with_nodes);
+  } catch (const InputError& error) {
+    throw InputError(checked.file.string() + ": " + error.what());
+  }
+}
+
 void checkTools(CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   SurfaceReport report(checked, "cannot be used", "expected faces that agree about the outside", spoilsTool);
@@ -169,7 +180,7 @@ void checkTools(CheckedScenario& checked) {
       report.check(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i) + ".shape");
   }
   report.finish();
-  for (const SceneTool& tool : buildScene(scenario, false).tools) checkConvex(checked, tool);
+  for (const SceneTool& tool : sceneOf(checked).tools) checkConvex(checked, tool);
 }
 
 /// Seconds until the last tool stands still; reads every log.

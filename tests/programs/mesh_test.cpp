@@ -97,6 +97,18 @@ TEST(ToolMesh, AnOpenOneIsUsedAndWhatNeedsItsInsideIsNamed) {
             "depth of tissue vertices in tools whose surface is open: spatula");
 }
 
+TEST(ToolMesh, TooManyNodesAreRefusedBeforeARun) {
+  const Folder folder;
+  fs::copy_file(meshes.parent_path() / "hooked_spatula.obj", folder / "hook.obj");
+  folder.write("s.yaml", with(toolScenario("hook.obj"),
+                              "    motion:", "    nodes: {max_spacing_m: 1e-5}\n    motion:"));
+  const Outcome outcome = runFissure(folder, {"run", "s.yaml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(
+      outcome.err,
+      "s.yaml: tools.spatula.nodes.max_spacing_m: makes more than 131072 nodes, expected a larger spacing\n");
+}
+
 TEST(ToolMesh, OneWhoseFacesDisagreeIsRefused) {
   const Folder folder;
   fs::copy_file(meshes / "liver_collision_grasp.stl", folder / "tool.stl");
