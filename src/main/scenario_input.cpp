@@ -147,13 +147,22 @@ void checkBodies(CheckedScenario& checked) {
   report.finish();
 }
 
-/// Bullet's soft bodies meet convex solids alone.
-void checkConvex(const CheckedScenario& checked, const SceneTool& tool) {
+/// What the pipelines need of a tool: Bullet's soft bodies meet convex solids alone, `prescribed` holds
+/// tissue to the faces of a box, and ray casting starts at nodes.
+void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
+  const bool convex = tool.closed && isConvex(tool.surface);
   for (const PipelineSettings& entry : checked.loaded.scenario.pipelines) {
-    if ((entry.usesSdf() || entry.usesClusters()) && !(tool.closed && isConvex(tool.surface)))
-      throw InputError(checked.file.string() + ": tools." + tool.name + ".shape is not convex and closed, " +
-                       "and run " + entry.name + " (pipeline " + entry.pipeline +
-                       ") needs that, expected pipelines raycast and fukuhara alone");
+    const auto refuse = [&](const char* what, const char* needs, const char* expected) {
+      throw InputError(checked.file.string() + ": tools." + tool.name + ".shape " + what + ", and run " +
+                       entry.name + " (pipeline " + entry.pipeline + ") needs " + needs + ", expected " +
+                       expected);
+    };
+    if ((entry.usesSdf() || entry.usesClusters()) && !convex)
+      refuse("is not convex and closed", "that", "pipelines raycast and fukuhara alone");
+    if (entry.pipeline == "prescribed" && !tool.box_size_m) refuse("is no box", "one", "another pipeline");
+    if (entry.usesNodes() && tool.nodes.size() == 0)
+      refuse("gives no triangle a node (no ray back into it leaves it again)", "nodes",
+             "outward faces on both its sides, or nodes.lone_nodes");
   }
 }
 
@@ -180,7 +189,7 @@ void checkTools(CheckedScenario& checked) {
       report.check(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i) + ".shape");
   }
   report.finish();
-  for (const SceneTool& tool : sceneOf(checked).tools) checkConvex(checked, tool);
+  for (const SceneTool& tool : sceneOf(checked).tools) checkTool(checked, tool);
 }
 
 /// Seconds until the last tool stands still; reads every log.

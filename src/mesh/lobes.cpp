@@ -71,7 +71,7 @@ class Lobe {
   Vec3 position_m(const Cell& corner) const {
     const double x = static_cast<double>(corner[0]) / x_cells_, z = static_cast<double>(corner[2]) / z_cells_;
     const double y =
-        corner[1] <= joined_cells_
+        corner[1] < joined_cells_  // not its rounded quotient on the floor itself, where both lobes meet
             ? slit_floor_ * corner[1] / joined_cells_
             : slit_floor_ + (1 - slit_floor_) * (corner[1] - joined_cells_) / (y_cells_ - joined_cells_);
     const auto scale = [](double a, double b) {

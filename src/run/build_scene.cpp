@@ -29,12 +29,13 @@ ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   if (tool.nodePlacement() == "grid")
     return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_rows);
   const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
-  if (!nodes.max_spacing_m) return makeCentroidNodes(surface, settings);
-  constexpr std::size_t most_nodes = 131072;
+  constexpr std::size_t most_triangles = 131072;
   TriangleMesh fine = surface;
-  if (!subdivide(fine, *nodes.max_spacing_m, most_nodes))
-    throw InputError("tools." + tool.name + ".nodes.max_spacing_m: makes more than " +
-                     std::to_string(most_nodes) + " nodes, expected a larger spacing");
+  const bool few = nodes.max_spacing_m ? subdivide(fine, *nodes.max_spacing_m, most_triangles)
+                                       : fine.faces.size() <= most_triangles;
+  if (!few)
+    throw InputError("tools." + tool.name + ".nodes" + (nodes.max_spacing_m ? ".max_spacing_m" : "") +
+                     ": in more than " + std::to_string(most_triangles) + " triangles, expected fewer");
   return makeCentroidNodes(fine, settings);
 }
 

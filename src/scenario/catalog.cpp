@@ -81,7 +81,7 @@ const Catalog& catalog() {
                        {"keep_largest_shell",
                         "of pieces that share no vertex, the one of the largest area stays"},
                        {"drop_unreferenced", "vertices that are part of no triangle"},
-                       {"orient", "neighbours made to agree; closed shells turned outward"},
+                       {"orient", "neighbours made to agree; closed shells turned outward, cavities inward"},
                        {"cap_holes", "each boundary loop closed by a fan around its middle"}},
   };
   return tables;

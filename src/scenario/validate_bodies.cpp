@@ -6,6 +6,7 @@
 
 #include "scenario/catalog.h"
 #include "scenario/checker.h"
+#include "scenario/scalars.h"
 
 namespace fissure {
 
@@ -20,15 +21,26 @@ void checkAlternative(Checker check, const BoxShape& box) {
   check.positive("size_m", box.size_m);
 }
 
+constexpr double most_triangles = 131072;  // those of a sphere with 7 subdivisions
+
+/// NaN, of values that are bad anyway, passes.
+void checkTriangles(Checker check, const std::string& key, double triangles) {
+  check.require(
+      !(triangles > most_triangles), key,
+      "makes " + formatReal(triangles) + " triangles, expected at most " + formatReal(most_triangles));
+}
+
 void checkAlternative(Checker check, const CapsuleShape& capsule) {
   check.positive("radius_m", capsule.radius_m);
   check.positive("length_m", capsule.length_m);
   check.between("subdivisions", capsule.subdivisions, 0, 7);
+  if (capsule.subdivisions >= 0 && capsule.subdivisions <= 7)
+    checkTriangles(check, "radius_m", capsule.triangles());
 }
 
 /// What can be said without topology; mesh/ checks that the surface is closed and oriented.
 void checkAlternative(Checker check, const TrianglesShape& triangles) {
-  constexpr std::size_t max_faces = 131072;  // those of a sphere with 7 subdivisions
+  constexpr auto max_faces = static_cast<std::size_t>(most_triangles);
   const int vertices = static_cast<int>(triangles.vertices_m.size());
   check.require(vertices >= 4, "vertices_m",
                 "has " + std::to_string(vertices) + " items, expected at least 4");
@@ -70,6 +82,7 @@ void checkAlternative(Checker check, const LobesShape& lobes) {
                 "is not below the height, expected lobes that are joined below the slit");
   check.require(!(lobes.slit_width_m >= lobes.size_m.x() / 2), "slit_width_m",
                 "is half the size across or more, expected a narrower slit");
+  checkTriangles(check, "edge_m", lobes.triangles());
 }
 
 void checkSolver(Checker check, const SolverSettings& s) {

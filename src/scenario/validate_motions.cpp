@@ -119,8 +119,10 @@ void checkTool(Checker check, const ToolSettings& tool) {
   Checker nodes = check.in("nodes");
   const std::string placement = tool.nodePlacement();
   nodes.oneOf("placement", placement, catalog().node_placements);
-  nodes.require(placement != "grid" || std::holds_alternative<BoxShape>(tool.shape), "placement",
-                "is grid, expected centroids: only a box has large faces for a grid");
+  const bool left_box =
+      !tool.clamp || !tool.clamp->left_jaw || std::holds_alternative<BoxShape>(tool.clamp->left_jaw->shape);
+  nodes.require(placement != "grid" || (std::holds_alternative<BoxShape>(tool.shape) && left_box),
+                "placement", "is grid, expected centroids: only a box has large faces for a grid");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
   nodes.between("narrow_rows", tool.nodes.narrow_rows, 0, 512);
   if (tool.nodes.max_spacing_m) nodes.positive("max_spacing_m", *tool.nodes.max_spacing_m);

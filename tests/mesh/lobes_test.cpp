@@ -47,6 +47,23 @@ TEST(Lobes, AreClosedOutwardAndWithoutSlivers) {
   }
 }
 
+// Where a quotient is rounded up, the floor of the slit must not stand open by it.
+TEST(Lobes, MeetOnTheFloorOfTheSlitWhateverTheirCells) {
+  for (const double height_m : {0.04, 0.05, 0.061}) {
+    for (const double depth_m : {0.028, 0.03}) {
+      for (int cells = 1; cells <= 14; ++cells) {
+        const LobesShape shape{.size_m = Vec3(0.08, height_m, 0.08),
+                               .slit_depth_m = depth_m,
+                               .slit_width_m = 0.003,
+                               .edge_m = (height_m - depth_m) / cells * (1 + 1e-12)};
+        if (shape.triangles() > 20000) continue;
+        EXPECT_EQ(findDefects(makeLobes(shape)), std::vector<std::string>{})
+            << height_m << ", " << depth_m << ", " << cells << " cells";
+      }
+    }
+  }
+}
+
 TEST(Lobes, AreTheirOwnMirrorImagesToTheLastBit) {
   for (const LobesShape& shape : shapes()) {
     const TriangleMesh mesh = makeLobes(shape);

@@ -104,9 +104,27 @@ TEST(ToolMesh, TooManyNodesAreRefusedBeforeARun) {
                               "    motion:", "    nodes: {max_spacing_m: 1e-5}\n    motion:"));
   const Outcome outcome = runFissure(folder, {"run", "s.yaml"});
   EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err,
+            "s.yaml: tools.spatula.nodes.max_spacing_m: in more than 131072 triangles, expected fewer\n");
+}
+
+TEST(ToolMesh, WhatAPipelineCannotMeetIsRefusedForIt) {
+  const Folder folder;
+  fs::copy_file(meshes.parent_path() / "convex_spatula.obj", folder / "tool.obj");
+  folder.write("s.yaml", toolScenario("tool.obj", "prescribed"));
   EXPECT_EQ(
-      outcome.err,
-      "s.yaml: tools.spatula.nodes.max_spacing_m: makes more than 131072 nodes, expected a larger spacing\n");
+      runFissure(folder, {"run", "s.yaml"}).err,
+      "s.yaml: tools.spatula.shape is no box, and run prescribed (pipeline prescribed) needs one, expected "
+      "another pipeline\n");
+  folder.write("sheet.obj", "v 0 0 0\nv 40 0 0\nv 40 0 15\nv 0 0 15\nf 1 3 2\nf 1 4 3\n");
+  folder.write("s.yaml", toolScenario("sheet.obj"));
+  const Outcome sheet = runFissure(folder, {"run", "s.yaml"});
+  EXPECT_EQ(sheet.code, 2);
+  EXPECT_EQ(
+      sheet.err,
+      "s.yaml: tools.spatula.shape gives no triangle a node (no ray back into it leaves it again), and run "
+      "fukuhara (pipeline fukuhara) needs nodes, expected outward faces on both its sides, or "
+      "nodes.lone_nodes\n");
 }
 
 TEST(ToolMesh, OneWhoseFacesDisagreeIsRefused) {

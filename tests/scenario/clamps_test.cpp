@@ -113,6 +113,9 @@ TEST_F(Clamps, RefuseWhatIsWrongInOneLine) {
     const char *from, *to, *message;
   };
   for (const Case& c : std::initializer_list<Case>{
+           {"{type: box, size_m: [0.002, 0.03, 0.02]}", "{type: sphere, radius_m: 0.001}",
+            "10: tools.forceps.nodes.placement is grid, expected centroids: only a box has large faces for a "
+            "grid"},
            {"opening: hinged", "opening: hinge",
             "13: tools.forceps.clamp.opening is \"hinge\", did you mean \"hinged\"?"},
            {"      hinge_height_m: 0.05\n", "",
@@ -203,9 +206,10 @@ TEST(Capsule, IsReadWrittenAndChecked) {
               with("{type: capsule, radius_m: 0.01, length_m: 0}");
             }).find("length_m is 0, expected a number above 0"),
             std::string::npos);
-  EXPECT_NE(
-      inputError([&] { with("{type: capsule, radius_m: 1e-6, length_m: 10}"); }).find("triangles together"),
-      std::string::npos)
+  EXPECT_NE(inputError([&] {
+              with("{type: capsule, radius_m: 1e-6, length_m: 10}");
+            }).find("triangles, expected at most"),
+            std::string::npos)
       << "counted before any is made";
 }
 

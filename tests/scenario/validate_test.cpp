@@ -280,7 +280,7 @@ TEST(Validate, Lobes) {
       {"bodies.ball.shape.slit_width_m", with([](LobesShape& l) { l.slit_width_m = -0.001; })},
       {"bodies.ball.shape.slit_width_m", with([](LobesShape& l) { l.slit_width_m = l.size_m.x() / 2; })},
       {"bodies.ball.shape.edge_m", with([](LobesShape& l) { l.edge_m = nan; })},
-      {"bodies", with([](LobesShape& l) { l.edge_m = 1e-5; })},
+      {"bodies.ball.shape.edge_m", with([](LobesShape& l) { l.edge_m = 1e-5; })},
   });
 }
 
