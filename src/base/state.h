@@ -21,6 +21,13 @@ struct ClampState {
   double opening = 0;  ///< degrees of hinged jaws, else metres
 };
 
+/// A tool on a virtual coupling at the end of a step.
+struct CouplingState {
+  std::size_t tool = 0;                 ///< of the scene
+  Vec3 target_m;                        ///< where its motion wants its origin, scene frame
+  Vec3 force_on_tool_N = Vec3::Zero();  ///< of the coupling
+};
+
 /// One force law evaluated over all bodies in one step. Forces act ON THE TOOLS, scene frame, newtons.
 struct ForceSample {
   Vec3 force_on_tool_N = Vec3::Zero();  ///< sum over triangles and tools
@@ -49,6 +56,7 @@ struct State {
   std::vector<double> masses_kg;     ///< constant over a run; 0: fixed, has no share in it
   std::vector<ToolState> tools;
   std::vector<ClampState> clamps;
+  std::vector<CouplingState> couplings;
 
   std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool

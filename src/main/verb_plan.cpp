@@ -72,6 +72,9 @@ void printScene(const CheckedScenario& checked) {
       std::cout << makeSurface(tool.shape, scenario.directory).faces.size() << " triangles, ";
     std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
+    if (tool.coupling)
+      std::cout << ", " << tool.coupling->mass_kg << " kg on a virtual coupling, pushed by "
+                << tool.coupling->force;
     std::cout << "\n";
     if (tool.clamp) printClamp(tool);
     printReplay(tool, scenario.directory);

@@ -5,6 +5,7 @@
 #include "measure/body_probe.h"
 #include "measure/clamp_probe.h"
 #include "measure/contact_probe.h"
+#include "measure/coupling_probe.h"
 #include "measure/final_state_probe.h"
 #include "measure/force_probe.h"
 #include "measure/gauge_probe.h"
@@ -21,6 +22,9 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
     probes.push_back(std::make_unique<ToolProbe>(scene));
     probes.push_back(std::make_unique<ContactProbe>(scene));
   }
+  if (std::any_of(scenario.tools.begin(), scenario.tools.end(),
+                  [](const ToolSettings& tool) { return tool.coupling.has_value(); }))
+    probes.push_back(std::make_unique<CouplingProbe>(scenario));
   if (!scenario.force.empty()) probes.push_back(std::make_unique<ForceProbe>(scenario, scene));
   if (!scene.clamps.empty()) probes.push_back(std::make_unique<ClampProbe>(scenario, scene));
   probes.push_back(std::make_unique<BodyProbe>(scene));

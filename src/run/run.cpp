@@ -87,6 +87,29 @@ Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   simulation_ = makeSimulation(engine_scenario_, pipeline, scene_, posesAt(0));
+  makeCouplings();
+}
+
+void Run::makeCouplings() {
+  const std::vector<Pose> poses = posesAt(0);
+  for (std::size_t t = 0; t < engine_scenario_.tools.size(); ++t) {
+    const std::optional<CouplingSettings>& settings = engine_scenario_.tools[t].coupling;
+    if (!settings) continue;
+    const auto law = std::find_if(scenario_.force.begin(), scenario_.force.end(),
+                                  [&](const ForceSettings& force) { return force.name == settings->force; });
+    coupled_.push_back({t, static_cast<std::size_t>(law - scenario_.force.begin()),
+                        VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s)});
+  }
+}
+
+// The force is that of the step before: this step's follows from where the tool goes.
+void Run::moveCoupled(std::vector<Pose>& poses) {
+  for (Coupled& coupled : coupled_) {
+    Pose& pose = poses[coupled.tool];
+    const Vec3& force_N =
+        simulation_->state().tool_forces_N[coupled.law * scene_.tools.size() + coupled.tool];
+    pose.position_m = coupled.coupling.advance(pose.position_m, force_N);
+  }
 }
 
 RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
@@ -120,11 +143,19 @@ void Run::noteClamps(double time_s, State& state) const {
   }
 }
 
+void Run::noteCouplings(State& state) const {
+  state.couplings.clear();
+  for (const Coupled& coupled : coupled_)
+    state.couplings.push_back(
+        {coupled.tool, coupled.coupling.target_m(), coupled.coupling.force_on_tool_N()});
+}
+
 // A copy of the simulation's state, with what the clock and the step number add. False: tissue is no longer
 // finite.
 bool Run::advance(std::int64_t step, State& state) {
   const double time_s = static_cast<double>(step) * scenario_.time.step_s;
-  const std::vector<Pose> poses = posesAt(time_s);
+  std::vector<Pose> poses = posesAt(time_s);
+  if (step > 0) moveCoupled(poses);  // while the tissue settles, hand and tool wait
   const auto start = std::chrono::steady_clock::now();
   simulation_->step(poses);
   const auto end = std::chrono::steady_clock::now();
@@ -132,6 +163,7 @@ bool Run::advance(std::int64_t step, State& state) {
   state.step = step;
   state.time_s = time_s;
   noteClamps(time_s, state);
+  noteCouplings(state);
   state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
   return lost(state).empty();
 }
@@ -164,6 +196,7 @@ RunStatus Run::execute(const Outputs& outputs) {
   if (settling_steps_ == 0) {
     state = simulation_->state();
     noteClamps(0, state);
+    noteCouplings(state);
   }
   state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 

@@ -10,6 +10,7 @@
 #include "base/scene.h"
 #include "engine/simulation.h"
 #include "motion/motion.h"
+#include "motion/virtual_coupling.h"
 #include "scenario/scenario.h"
 
 namespace fissure {
@@ -45,7 +46,10 @@ class Run {
 
  private:
   std::vector<Pose> posesAt(double time_s) const;
+  void makeCouplings();
+  void moveCoupled(std::vector<Pose>& poses);
   void noteClamps(double time_s, State& state) const;
+  void noteCouplings(State& state) const;
   bool advance(std::int64_t step, State& state);
   void emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames);
 
@@ -54,6 +58,13 @@ class Run {
   const PipelineSettings& pipeline_;
   Scene scene_;
   std::vector<std::unique_ptr<Motion>> motions_;  ///< one a tool of scenario_
+  /// A tool that a force law moves.
+  struct Coupled {
+    std::size_t tool = 0;  ///< of the scene
+    std::size_t law = 0;
+    VirtualCoupling coupling;
+  };
+  std::vector<Coupled> coupled_;
   std::int64_t steps_ = 0, settling_steps_ = 0;
   std::unique_ptr<Simulation> simulation_;
 };

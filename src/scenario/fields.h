@@ -75,6 +75,14 @@ void describe(Io& io, NodeSettings& n) {
 }
 
 template <class Io>
+void describe(Io& io, CouplingSettings& c) {
+  io.required("mass_kg", c.mass_kg);
+  io.required("stiffness_N_m", c.stiffness_N_m);
+  io.required("damping_N_s_m", c.damping_N_s_m);
+  io.required("force", c.force);
+}
+
+template <class Io>
 void describe(Io& io, ToolSettings& t) {
   io.required("name", t.name);
   io.tagged("shape", t.shape, catalog().tool_shapes);
@@ -83,6 +91,7 @@ void describe(Io& io, ToolSettings& t) {
   io.field("nodes", t.nodes);
   io.field("friction", t.friction);
   io.field("force_limit_N", t.force_limit_N);
+  io.field("coupling", t.coupling);
   io.tagged("motion", t.motion, catalog().motions);
 }
 

@@ -39,6 +39,17 @@ struct NodeSettings {
   bool operator==(const NodeSettings&) const = default;
 };
 
+/// A tool of its own mass, which a hand leads by a spring and a damper (virtual coupling): its motion says
+/// where the hand is. What a force law says that tissue does to the tool then moves it.
+struct CouplingSettings {
+  double mass_kg = 0;        ///< > 0; no default, as the next two
+  double stiffness_N_m = 0;  ///< > 0
+  double damping_N_s_m = 0;  ///< >= 0
+  std::string force;         ///< name of the entry of `force:` that pushes the tool
+
+  bool operator==(const CouplingSettings&) const = default;
+};
+
 /// A rigid tool on a prescribed path; with `clamp` two of them, the jaws NAME_left and NAME_right.
 struct ToolSettings {
   std::string name;
@@ -52,6 +63,7 @@ struct ToolSettings {
   /// The largest force of the haptic device that the tool stands for, > 0 (Falcon: 8 N by CHAI3D's
   /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
   std::optional<double> force_limit_N;
+  std::optional<CouplingSettings> coupling;  ///< default: none, the tool is where its motion says
   std::variant<ScriptMotion, ReplayMotion> motion;
 
   std::string nodePlacement() const {

@@ -132,6 +132,17 @@ void checkFriction(Checker check, const Scenario& scenario) {
   }
 }
 
+void checkCouplings(Checker check, const Scenario& scenario) {
+  for (const ToolSettings& tool : scenario.tools) {
+    if (!tool.coupling) continue;
+    const bool known =
+        std::any_of(scenario.force.begin(), scenario.force.end(),
+                    [&](const ForceSettings& law) { return law.name == tool.coupling->force; });
+    check.require(known, tool.name + ".coupling.force",
+                  "is \"" + tool.coupling->force + "\", expected the name of an entry of force");
+  }
+}
+
 /// Relations between values that are good each by itself.
 void checkRelations(Checker check, const Scenario& scenario) {
   const std::optional<double> duration_s = knownDuration(scenario);
@@ -142,6 +153,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
   checkSizes(check, scenario);
   checkFriction(check.in("tools"), scenario);
   checkJawNames(check.in("tools"), scenario.tools);
+  checkCouplings(check.in("tools"), scenario);
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 

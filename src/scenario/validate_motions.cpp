@@ -129,6 +129,13 @@ void checkTool(Checker check, const ToolSettings& tool) {
   nodes.positive("pairing_limit", tool.nodes.pairing_limit);
   check.notNegative("friction", tool.friction);
   if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
+  if (tool.coupling) {
+    Checker coupling = check.in("coupling");
+    coupling.positive("mass_kg", tool.coupling->mass_kg);
+    coupling.positive("stiffness_N_m", tool.coupling->stiffness_N_m);
+    coupling.notNegative("damping_N_s_m", tool.coupling->damping_N_s_m);
+    coupling.require(!tool.clamp, "", "is given for a clamp, expected a tool that does not open");
+  }
   if (tool.clamp) checkClamp(check.in("clamp"), tool);
   std::visit(
       [&](const auto& motion) {

@@ -2,36 +2,12 @@
 
 #include <cmath>
 #include <functional>
-#include <map>
 
-#include "measure/probes.h"
+#include "recorded_run.h"
 #include "run/build_scene.h"
-#include "run/run.h"
 
 namespace fissure {
 namespace {
-
-/// What a run recorded and said, and where the tissue was at the end of each step.
-struct Seen : RecordSink {
-  std::vector<RecordRow> rows;
-  std::map<std::string, SummaryValue> summary;
-  RunStatus status;
-  void append(const RecordRow& row) override { rows.push_back(row); }
-  void snapshot(const State&) override {}
-  void frame(double, const Image&) override {}
-  void finish(const RunStatus& s, const Summary& values) override {
-    status = s;
-    for (const SummaryValue& value : values) summary[value.name] = value;
-  }
-  double number(const std::string& name) const { return std::get<double>(summary.at(name).value); }
-};
-
-struct StateProbe : Probe {
-  std::vector<State> states;
-  void declare(RecordLayout&) override {}
-  void sample(const State& state, RecordRow&) override { states.push_back(state); }
-  void summarize(Summary&) const override {}
-};
 
 MotionSegment opens(double to_m, double duration_s) {
   MotionSegment segment;
@@ -41,35 +17,12 @@ MotionSegment opens(double to_m, double duration_s) {
   return segment;
 }
 
-MotionSegment moves(const Vec3& to_m, double duration_s) {
-  MotionSegment segment;
-  segment.move_to_m = to_m;
-  segment.duration_s = duration_s;
-  segment.timing = Timing::minimum_jerk;
-  return segment;
-}
-
-MotionSegment holds(double hold_s) {
-  MotionSegment segment;
-  segment.hold_s = hold_s;
-  return segment;
-}
-
 /// A sphere of 100 g and a clamp open around it, which closes by 7 mm on each side in 0.2 s.
-class ClampRun : public testing::Test {
+class ClampRun : public RecordedRun {
  protected:
   ClampRun() {
     scenario.name = "clamp";
-    BodySettings body;
-    body.name = "sphere";
-    body.shape = SphereShape{.radius_m = 0.03, .subdivisions = 2};
-    body.mass_kg = 0.1;
-    body.material.linear_stiffness = 0.5;
-    body.solver.pose_matching = 0.02;
-    body.solver.damping = 0.01;
-    body.solver.dynamic_friction = 0.5;
-    body.solver.position_iterations = 10;
-    scenario.bodies = {body};
+    scenario.bodies = {softSphere()};
     ToolSettings tool;
     tool.name = "clamp";
     tool.shape = BoxShape{Vec3(0.004, 0.04, 0.04)};
@@ -82,17 +35,6 @@ class ClampRun : public testing::Test {
     scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
   }
 
-  void execute() {
-    fissure::Run run(scenario, scenario.pipelines[0]);
-    std::vector<std::unique_ptr<Probe>> probes = makeProbes(scenario, run.scene());
-    auto states = std::make_unique<StateProbe>();
-    StateProbe& kept = *states;
-    probes.push_back(std::move(states));
-    layout = fissure::Run::declareLayout(probes);
-    run.execute({.sink = seen, .probes = probes, .layout = layout, .make_frame_source = {}, .progress = {}});
-    ASSERT_EQ(seen.status.status, "ok") << seen.status.detail;
-    states_ = kept.states;
-  }
   ClampSettings& clamp() { return *scenario.tools[0].clamp; }
   const State& last() const { return states_.back(); }
   double lowest_m() const {
@@ -108,11 +50,6 @@ class ClampRun : public testing::Test {
   static double asymmetry(const Vec3& left_N, const Vec3& right_N) {
     return (right_N - Vec3(-left_N.x(), left_N.y(), left_N.z())).norm() / right_N.norm();
   }
-
-  Scenario scenario;
-  Seen seen;
-  RecordLayout layout;
-  std::vector<State> states_;
 };
 
 /// One way of closing on a body that is its own mirror image.

@@ -56,6 +56,7 @@ const char* const every_field =
     "    nodes: {resolution: [9, 5], narrow_rows: 4}\n"
     "    friction: 0.15\n"
     "    force_limit_N: 7.5\n"
+    "    coupling: {mass_kg: 0.06, stiffness_N_m: 2900, damping_N_s_m: 19, force: hc}\n"
     "    motion:\n"
     "      type: script\n"
     "      start_m: [0.1, 0.2, 0.3]\n"
@@ -171,6 +172,8 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
   EXPECT_EQ(s.tools[0].force_limit_N, 7.5);
   EXPECT_EQ(s.tools[1].force_limit_N, std::nullopt);
+  EXPECT_EQ(s.tools[0].coupling, (CouplingSettings{0.06, 2900, 19, "hc"}));
+  EXPECT_EQ(s.tools[1].coupling, std::nullopt);
 }
 
 TEST_F(RoundTrip, MotionsReachTheirPlace) {
