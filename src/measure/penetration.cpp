@@ -17,6 +17,34 @@ bool isUsable(const Vec3& point) {
   return (point.array().abs() <= kCoordinateLimit_m).all();
 }  // false for NaN
 
+/// Closer than this a bound of a distance says nothing: of a surface's extent, for the slack of crossings
+/// (1e-9 of a triangle) and rounding.
+constexpr double kSlack = 1e-8;
+
+/// A distance is looked for as far as some steps go: farther costs more than it saves.
+constexpr double kShortestLook_m = 0.0005;
+
+/// The box around points, at least one.
+TreeBox boxAround(std::span<const Vec3> points) {
+  TreeBox box{points.front(), points.front()};
+  for (const Vec3& point : points) {
+    box.low = box.low.cwiseMin(point);
+    box.high = box.high.cwiseMax(point);
+  }
+  return box;
+}
+
+/// The longest way of any vertex in the last step.
+double longestWay_m(const SurfaceTree& surface) {
+  double squared = 0;
+  for (std::size_t i = 0; i < surface.triangles().size(); ++i) {
+    const TreeTriangle &now = surface.triangles()[i], &before = surface.previous()[i];
+    squared = std::max({squared, (now.a - before.a).squaredNorm(), (now.b - before.b).squaredNorm(),
+                        (now.c - before.c).squaredNorm()});
+  }
+  return std::sqrt(squared);
+}
+
 bool areUsable(std::span<const Vec3> points) {
   return std::all_of(points.begin(), points.end(), isUsable);
 }
@@ -28,17 +56,18 @@ PenetrationMeter::PenetrationMeter(const Scene& scene, const MeasureSettings& se
     bodies_.push_back(
         {SurfaceTree(body.rest), static_cast<std::size_t>(body.first_vertex), body.rest.vertices_m.size()});
   }
-  std::size_t most = 0;
   for (const SceneTool& tool : scene.tools) {
     ToolSamples samples = makeToolSamples(scene, tool, settings.sample_spacing_m);
     const std::size_t count = samples.points_m.size();
-    most = std::max(most, count);
-    tools_.push_back({ToolShape(tool), std::move(samples), std::vector<Vec3>(count), std::vector<Vec3>(count),
+    const TreeBox extent = boxAround(samples.points_m);
+    tools_.push_back({ToolShape(tool),
+                      std::move(samples),
+                      extent,
+                      {},
+                      {},
                       std::vector<std::uint8_t>(count, 0),
-                      std::vector<Passage>(bodies_.size(), Passage(count)),
-                      std::vector<std::size_t>(bodies_.size(), 0)});
+                      std::vector<Pair>(bodies_.size(), Pair(count))});
   }
-  inside_.reserve(most);
   crossings_.reserve(64);
 }
 
@@ -59,49 +88,92 @@ bool PenetrationMeter::isMeasurable(const State& state) const {
          });
 }
 
+// The way of a point is convex over a rigid body: longest at a corner of a box around it.
+double PenetrationMeter::longestWay_m(const Tool& tool) {
+  double way_m = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 point((corner & 1 ? tool.extent.high : tool.extent.low).x(),
+                     (corner & 2 ? tool.extent.high : tool.extent.low).y(),
+                     (corner & 4 ? tool.extent.high : tool.extent.low).z());
+    way_m = std::max(way_m, (tool.now.of(point) - tool.before.of(point)).norm());
+  }
+  return way_m;
+}
+
 void PenetrationMeter::moveTo(const State& state) {
   for (Body& body : bodies_) {
     body.surface.update(verticesOf(body, state));
     if (!connected_) body.surface.forgetMotion();
+    body.way_m = fissure::longestWay_m(body.surface);
   }
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     Tool& tool = tools_[t];
-    tool.now.swap(tool.before);
     const Pose& pose = state.tools[t].pose;
-    const Mat3 rotation = SurfaceTree::frame() * pose.orientation.toRotationMatrix();
-    const Vec3 origin = SurfaceTree::toTree(pose.position_m);
-    for (std::size_t i = 0; i < tool.now.size(); ++i) {
-      tool.now[i] = rotation * tool.samples.points_m[i] + origin;
-    }
-    if (connected_) continue;
     tool.before = tool.now;
-    for (Passage& passage : tool.passages) passage.restart();
+    tool.now = {SurfaceTree::frame() * pose.orientation.toRotationMatrix(),
+                SurfaceTree::toTree(pose.position_m)};
+    if (connected_) {
+      const double way_m = longestWay_m(tool);
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        const double both_m = way_m + bodies_[b].way_m;
+        tool.pairs[b].clearances.approach(both_m);
+        tool.pairs[b].horizon_m = std::clamp(16 * both_m, kShortestLook_m, kStandOffLimit_m);
+      }
+      continue;
+    }
+    tool.before = tool.now;
+    for (Pair& pair : tool.pairs) {
+      pair.passage.restart();
+      pair.clearances.forget();
+    }
   }
   connected_ = true;
 }
 
+// The distance of a sample, infinite beyond `limit_m`; it need not be looked for again before both have moved
+// by that.
+double PenetrationMeter::look(Tool& tool, std::size_t body_index, std::size_t sample, double limit_m) {
+  const SurfaceTree& surface = bodies_[body_index].surface;
+  const TreeBox& whole = surface.boxes()[0];
+  const double slack_m = kSlack * (whole.high - whole.low).maxCoeff() + 1e-9;
+  const double found_m = distance_m(surface, tool.sampleNow(sample), {.limit_m = limit_m});
+  ++searches_;
+  tool.pairs[body_index].clearances.note(sample, std::min(found_m, limit_m) - slack_m);
+  return found_m;
+}
+
+// Where a sample may have met the surface since the last look. Elsewhere it crossed nothing and is inside as
+// before.
+void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
+  const Body& body = bodies_[body_index];
+  const SurfaceTree& surface = body.surface;
+  Pair& pair = tool.pairs[body_index];
+  for (std::size_t i = 0; i < pair.inside.size(); ++i) {
+    if (pair.clearances.atLeast_m(i) > 0) continue;
+    const Vec3 now = tool.sampleNow(i);
+    pair.inside[i] = windingNumber(surface, now) > 0;
+    findCrossings(surface, tool.sampleBefore(i), now, crossings_);
+    if (pair.passage.advance(i, crossings_, pair.inside[i] != 0)) tool.passed[i] = 1;
+    look(tool, body_index, i, pair.horizon_m);
+  }
+}
+
 double PenetrationMeter::sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m) {
   const SurfaceTree& surface = bodies_[body_index].surface;
-  inside_.clear();
-  for (std::size_t i = 0; i < tool.now.size(); ++i) {
-    const bool inside = windingNumber(surface, tool.now[i]) > 0;
-    findCrossings(surface, tool.before[i], tool.now[i], crossings_);
-    if (tool.passages[body_index].advance(i, crossings_, inside)) tool.passed[i] = 1;
-    if (inside) inside_.push_back(i);
-  }
+  Pair& pair = tool.pairs[body_index];
   double depth = at_least_m;
-  std::size_t& deepest = tool.deepest[body_index];
   const auto deepen = [&](std::size_t i) {
-    const double found = distance_m(surface, tool.now[i], {.enough_m = depth});
+    const double found = distance_m(surface, tool.sampleNow(i), {.enough_m = depth});
     if (found > depth) {
       depth = found;
-      deepest = i;
+      pair.deepest = i;
     }
   };
   // The deepest sample of the step before goes first: most others then end at the first triangle that is near
   // enough.
-  if (std::binary_search(inside_.begin(), inside_.end(), deepest)) deepen(deepest);
-  for (const std::size_t i : inside_) deepen(i);
+  if (pair.inside[pair.deepest] != 0) deepen(pair.deepest);
+  for (std::size_t i = 0; i < pair.inside.size(); ++i)
+    if (pair.inside[i] != 0) deepen(i);
   return depth;
 }
 
@@ -117,17 +189,24 @@ double PenetrationMeter::vertexDepth_m(const State& state) const {
   return depth;
 }
 
-double PenetrationMeter::standOff_m(const State& state) const {
+double PenetrationMeter::standOff_m(const State& state) {
   double nearest = kStandOffLimit_m;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
-    for (const Body& body : bodies_) {
-      for (const Vec3& vertex : verticesOf(body, state)) {
-        nearest =
-            std::min(nearest, tools_[t].shape.signedDistance_m(state.tools[t].pose.toBody(vertex), nearest));
+    Tool& tool = tools_[t];
+    for (std::size_t b = 0; b < bodies_.size(); ++b) {
+      for (const Vec3& vertex : verticesOf(bodies_[b], state)) {
+        nearest = std::min(nearest, tool.shape.signedDistance_m(state.tools[t].pose.toBody(vertex), nearest));
       }
-      for (const Vec3& sample : tools_[t].now) {
-        nearest = std::min(nearest, distance_m(body.surface, sample, {.limit_m = nearest}));
-      }
+      Pair& pair = tool.pairs[b];
+      const auto approach = [&](std::size_t i) {
+        const double found = look(tool, b, i, nearest + pair.horizon_m);
+        if (!(found < nearest)) return;
+        nearest = found;
+        pair.nearest = i;
+      };
+      approach(pair.nearest);
+      for (std::size_t i = 0; i < pair.inside.size(); ++i)
+        if (pair.clearances.atLeast_m(i) < nearest) approach(i);
     }
   }
   return nearest < kStandOffLimit_m ? std::max(nearest, 0.0) : kNaN;
@@ -140,8 +219,10 @@ Penetration PenetrationMeter::measure(const State& state) {
     moveTo(state);
     result.depth_m = vertexDepth_m(state);
     for (Tool& tool : tools_) {
-      for (std::size_t b = 0; b < bodies_.size(); ++b)
+      for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        follow(tool, b);
         result.depth_m = sampleDepth_m(tool, b, result.depth_m);
+      }
     }
     result.stand_off_m = result.depth_m > 0 ? kNaN : standOff_m(state);
     for (const Body& body : bodies_) result.inverted_triangles += countInvertedTriangles(body.surface);

@@ -6,6 +6,7 @@
 
 #include "base/scene.h"
 #include "base/state.h"
+#include "measure/clearances.h"
 #include "measure/passage.h"
 #include "measure/surface_tree.h"
 #include "measure/tool_samples.h"
@@ -48,35 +49,58 @@ class PenetrationMeter {
   Penetration measure(const State& state);
 
   long long sampleCount() const;
+  /// How often the surface was searched around a sample, since the start: what measuring costs.
+  long long searches() const { return searches_; }
 
  private:
   struct Body {
     SurfaceTree surface;
     std::size_t first_vertex = 0;
     std::size_t vertex_count = 0;
+    double way_m = 0;  // the longest of any vertex in the last step
+  };
+  /// The samples of one tool against one body.
+  struct Pair {
+    explicit Pair(std::size_t samples) : passage(samples), clearances(samples), inside(samples, 0) {}
+    Passage passage;
+    Clearances clearances;
+    double horizon_m = kStandOffLimit_m;   // how far to look for the surface
+    std::vector<std::uint8_t> inside;      // after the last look
+    std::size_t deepest = 0, nearest = 0;  // samples of the last step, looked at first
+  };
+  /// Where a tool is, in the frame of the surface trees.
+  struct Place {
+    Mat3 rotation = Mat3::Identity();
+    Vec3 origin_m = Vec3::Zero();
+    Vec3 of(const Vec3& point) const { return rotation * point + origin_m; }
   };
   struct Tool {
     ToolShape shape;
     ToolSamples samples;
-    std::vector<Vec3> now;     // the samples in the frame of the surface trees
-    std::vector<Vec3> before;  // and one step before
+    TreeBox extent;  // of the samples, in the tool's frame
+    Place now, before;
     std::vector<std::uint8_t> passed;
-    std::vector<Passage> passages;     // one a body
-    std::vector<std::size_t> deepest;  // one a body: the deepest sample of the last step
+    std::vector<Pair> pairs;  // one a body
+
+    Vec3 sampleNow(std::size_t i) const { return now.of(samples.points_m[i]); }
+    Vec3 sampleBefore(std::size_t i) const { return before.of(samples.points_m[i]); }
   };
 
   bool isMeasurable(const State& state) const;
   std::span<const Vec3> verticesOf(const Body& body, const State& state) const;
   void moveTo(const State& state);
+  static double longestWay_m(const Tool& tool);
+  double look(Tool& tool, std::size_t body_index, std::size_t sample, double limit_m);
+  void follow(Tool& tool, std::size_t body_index);
   double sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m);
   double vertexDepth_m(const State& state) const;
-  double standOff_m(const State& state) const;
+  double standOff_m(const State& state);
 
   std::vector<Body> bodies_;
   std::vector<Tool> tools_;
+  long long searches_ = 0;
   bool connected_ = false;  // a measurable step came before
   std::vector<Crossing> crossings_;
-  std::vector<std::size_t> inside_;
 };
 
 }  // namespace fissure
