@@ -7,26 +7,32 @@
 
 namespace fissure {
 
-/// How far points at least are from a surface, kept while both move: what is far away needs no look in every
-/// step. Metres.
+/// Between what bounds the distances of points from a surface are, kept while both move: what is far from it,
+/// or surely not the farthest, needs no look in every step. Metres.
 class Clearances {
  public:
-  explicit Clearances(std::size_t points) : until_m_(points, -std::numeric_limits<double>::infinity()) {}
+  explicit Clearances(std::size_t points) : bounds_(points) {}
 
-  /// Point and surface have come closer by at most `way_m`, for every point.
-  void approach(double way_m) { way_m_ += way_m; }
+  /// Each point and the surface have moved by at most `way_m` against each other.
+  void move(double way_m) { way_m_ += way_m; }
   /// A lower bound of the point's distance; not above 0: nothing is known.
-  double atLeast_m(std::size_t point) const { return until_m_[point] - way_m_; }
-  /// The point is at least `distance_m` away now.
-  void note(std::size_t point, double distance_m) { until_m_[point] = way_m_ + distance_m; }
+  double atLeast_m(std::size_t point) const { return bounds_[point].until_m - way_m_; }
+  /// An upper bound; infinite: nothing is known.
+  double atMost_m(std::size_t point) const { return bounds_[point].from_m + way_m_; }
+  void noteAtLeast(std::size_t point, double distance_m) { bounds_[point].until_m = way_m_ + distance_m; }
+  void noteAtMost(std::size_t point, double distance_m) { bounds_[point].from_m = distance_m - way_m_; }
   void forget() {
-    std::fill(until_m_.begin(), until_m_.end(), -std::numeric_limits<double>::infinity());
+    std::fill(bounds_.begin(), bounds_.end(), Bounds());
     way_m_ = 0;
   }
 
  private:
-  double way_m_ = 0;             // since forget()
-  std::vector<double> until_m_;  // the way on which the point may touch the surface
+  struct Bounds {
+    double until_m = -std::numeric_limits<double>::infinity();  // the way on which the point may touch
+    double from_m = std::numeric_limits<double>::infinity();    // its distance, had it gone away all the way
+  };
+  double way_m_ = 0;  // since forget()
+  std::vector<Bounds> bounds_;
 };
 
 }  // namespace fissure

@@ -116,7 +116,7 @@ void PenetrationMeter::moveTo(const State& state) {
       const double way_m = longestWay_m(tool);
       for (std::size_t b = 0; b < bodies_.size(); ++b) {
         const double both_m = way_m + bodies_[b].way_m;
-        tool.pairs[b].clearances.approach(both_m);
+        tool.pairs[b].clearances.move(both_m);
         tool.pairs[b].horizon_m = std::clamp(16 * both_m, kShortestLook_m, kStandOffLimit_m);
       }
       continue;
@@ -130,15 +130,22 @@ void PenetrationMeter::moveTo(const State& state) {
   connected_ = true;
 }
 
-// The distance of a sample, infinite beyond `limit_m`; it need not be looked for again before both have moved
-// by that.
-double PenetrationMeter::look(Tool& tool, std::size_t body_index, std::size_t sample, double limit_m) {
-  const SurfaceTree& surface = bodies_[body_index].surface;
-  const TreeBox& whole = surface.boxes()[0];
-  const double slack_m = kSlack * (whole.high - whole.low).maxCoeff() + 1e-9;
-  const double found_m = distance_m(surface, tool.sampleNow(sample), {.limit_m = limit_m});
+// What a bound of a distance may be wrong by.
+double PenetrationMeter::slack_m(std::size_t body_index) const {
+  const TreeBox& whole = bodies_[body_index].surface.boxes()[0];
+  return kSlack * (whole.high - whole.low).maxCoeff() + 1e-9;
+}
+
+// The distance of a sample; any up to search.enough_m as soon as one is found, infinite beyond
+// search.limit_m.
+double PenetrationMeter::look(Tool& tool, std::size_t body_index, std::size_t sample,
+                              const DistanceSearch& search) {
+  const double found_m = distance_m(bodies_[body_index].surface, tool.sampleNow(sample), search);
+  Clearances& clearances = tool.pairs[body_index].clearances;
+  if (found_m > search.enough_m)
+    clearances.noteAtLeast(sample, std::min(found_m, search.limit_m) - slack_m(body_index));
+  if (found_m < search.limit_m) clearances.noteAtMost(sample, found_m + slack_m(body_index));
   ++searches_;
-  tool.pairs[body_index].clearances.note(sample, std::min(found_m, limit_m) - slack_m);
   return found_m;
 }
 
@@ -154,26 +161,24 @@ void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
     pair.inside[i] = windingNumber(surface, now) > 0;
     findCrossings(surface, tool.sampleBefore(i), now, crossings_);
     if (pair.passage.advance(i, crossings_, pair.inside[i] != 0)) tool.passed[i] = 1;
-    look(tool, body_index, i, pair.horizon_m);
+    look(tool, body_index, i, {.limit_m = pair.horizon_m});
   }
 }
 
 double PenetrationMeter::sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m) {
-  const SurfaceTree& surface = bodies_[body_index].surface;
   Pair& pair = tool.pairs[body_index];
   double depth = at_least_m;
   const auto deepen = [&](std::size_t i) {
-    const double found = distance_m(surface, tool.sampleNow(i), {.enough_m = depth});
-    if (found > depth) {
-      depth = found;
-      pair.deepest = i;
-    }
+    // A little less than enough: the sample then need not be looked at in the next steps.
+    const double found = look(tool, body_index, i, {.enough_m = depth - std::min(pair.horizon_m, depth / 2)});
+    if (!(found > depth)) return;
+    depth = found;
+    pair.deepest = i;
   };
-  // The deepest sample of the step before goes first: most others then end at the first triangle that is near
-  // enough.
+  // The deepest sample of the step before goes first: most others are known not to be as deep.
   if (pair.inside[pair.deepest] != 0) deepen(pair.deepest);
   for (std::size_t i = 0; i < pair.inside.size(); ++i)
-    if (pair.inside[i] != 0) deepen(i);
+    if (pair.inside[i] != 0 && pair.clearances.atMost_m(i) > depth) deepen(i);
   return depth;
 }
 
@@ -199,7 +204,7 @@ double PenetrationMeter::standOff_m(const State& state) {
       }
       Pair& pair = tool.pairs[b];
       const auto approach = [&](std::size_t i) {
-        const double found = look(tool, b, i, nearest + pair.horizon_m);
+        const double found = look(tool, b, i, {.limit_m = nearest + pair.horizon_m});
         if (!(found < nearest)) return;
         nearest = found;
         pair.nearest = i;

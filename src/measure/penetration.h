@@ -7,6 +7,7 @@
 #include "base/scene.h"
 #include "base/state.h"
 #include "measure/clearances.h"
+#include "measure/distance.h"
 #include "measure/passage.h"
 #include "measure/surface_tree.h"
 #include "measure/tool_samples.h"
@@ -90,7 +91,8 @@ class PenetrationMeter {
   std::span<const Vec3> verticesOf(const Body& body, const State& state) const;
   void moveTo(const State& state);
   static double longestWay_m(const Tool& tool);
-  double look(Tool& tool, std::size_t body_index, std::size_t sample, double limit_m);
+  double slack_m(std::size_t body_index) const;
+  double look(Tool& tool, std::size_t body_index, std::size_t sample, const DistanceSearch& search);
   void follow(Tool& tool, std::size_t body_index);
   double sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m);
   double vertexDepth_m(const State& state) const;

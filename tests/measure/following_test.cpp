@@ -139,6 +139,23 @@ TEST(Following, WhatIsFarIsSearchedForRarelyAndWhatRestsNever) {
   EXPECT_NEAR(meter.measure(state).stand_off_m, 0.0005, 0.0001);
 }
 
+// Driven into it, and held there.
+TEST(Following, HeldDeepInsideTheDeepestAloneIsSearchedFor) {
+  const Scene scene = test::makeScene({makeSphere(0.03, 2)}, {kBlade});
+  PenetrationMeter meter(scene, {});
+  State state = test::restState(scene, {test::at(0, 0.04, 0)});
+  for (int i = 0; i < 200; ++i) {
+    meter.measure(state);
+    state.tools[0].pose.position_m.y() -= 0.0001;
+  }
+  EXPECT_LT(static_cast<double>(meter.searches()), 0.3 * 200 * static_cast<double>(meter.sampleCount()));
+  meter.measure(state);
+  const long long before = meter.searches();
+  for (int i = 0; i < 100; ++i) meter.measure(state);
+  EXPECT_LE(meter.searches() - before, 200);
+  EXPECT_GT(meter.measure(state).depth_m, 0.005);
+}
+
 // After a state that is not finite nothing of before counts.
 TEST(Following, StartsAnewAfterAStateThatCannotBeMeasured) {
   const Scene scene = test::makeScene({makeSphere(0.03, 2)}, {kBlade});
