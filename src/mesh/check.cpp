@@ -185,13 +185,6 @@ bool hasInside(const TriangleMesh& mesh) {
   });
 }
 
-std::vector<std::string> findDefects(const TriangleMesh& mesh) {
-  std::vector<std::string> lines;
-  for (const Defect& defect : inspectSurface(mesh))
-    if (spoilsBody(defect.kind)) lines.push_back(defect.text);
-  return lines;
-}
-
 double signedVolume_m3(const TriangleMesh& mesh) {
   return signedVolume(mesh, mesh.faces);
 }

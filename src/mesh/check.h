@@ -49,9 +49,6 @@ bool spoilsTool(DefectKind kind);
 /// True when points can be told to lie inside the surface: it is closed, with outward faces.
 bool hasInside(const TriangleMesh& mesh);
 
-/// The lines of those defects that spoil a soft body.
-std::vector<std::string> findDefects(const TriangleMesh& mesh);
-
 /// Enclosed volume of a closed, outward surface by the divergence theorem, m^3; negative when inside out.
 double signedVolume_m3(const TriangleMesh& mesh);
 

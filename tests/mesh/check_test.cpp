@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "defect_lines.h"
 #include "mesh/primitives.h"
 
 namespace fissure {

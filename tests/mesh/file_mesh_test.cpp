@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "defect_lines.h"
 #include "mesh/check.h"
 #include "mesh/file_surface.h"
 #include "mesh/primitives.h"

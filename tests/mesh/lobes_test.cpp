@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "defect_lines.h"
 #include "mesh/check.h"
 
 namespace fissure {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <set>
 
+#include "defect_lines.h"
 #include "mesh/check.h"
 #include "mesh/place.h"
 

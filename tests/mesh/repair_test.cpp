@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "defect_lines.h"
 #include "mesh/check.h"
 #include "mesh/primitives.h"
 #include "mesh/subdivide.h"
