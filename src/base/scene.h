@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -61,6 +62,11 @@ struct Scene {
   }
   int faceCount() const {
     return bodies.empty() ? 0 : bodies.back().first_face + static_cast<int>(bodies.back().rest.faces.size());
+  }
+  /// Whether a clamp has anything to be drawn beside its jaws.
+  bool hasHandles() const {
+    return std::any_of(clamps.begin(), clamps.end(),
+                       [](const SceneClamp& c) { return !c.handle.faces.empty(); });
   }
   int nodeCount() const { return tools.empty() ? 0 : tools.back().first_node + tools.back().nodes.size(); }
 };

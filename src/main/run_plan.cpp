@@ -42,8 +42,9 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
   plan.record_bytes = recordBytes(checked, layout);
   if (scenario.record.snapshots_every_s) {
     plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
-    const double one =
-        8.0 + 25.0 * scene.vertexCount() + 1.0 * scene.nodeCount();  // time, positions and states
+    const double clamps = scene.hasHandles() ? static_cast<double>(scene.clamps.size()) : 0;
+    // Time, positions and states; the poses of clamps.
+    const double one = 8.0 + 25.0 * scene.vertexCount() + 1.0 * scene.nodeCount() + 56.0 * clamps;
     plan.snapshot_bytes = one * static_cast<double>(plan.snapshots);
   }
   if (scenario.record.frames) {

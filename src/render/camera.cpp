@@ -149,16 +149,26 @@ std::vector<Vec3> pointsInView(const Scene& scene, const State& first) {
   return points_m;
 }
 
-Camera defaultCamera(const Scene& scene, const State& first, int width_px, int height_px) {
+Camera defaultCamera(std::span<const Vec3> points_m, int width_px, int height_px, double field_of_view_deg) {
   const double azimuth = radians(default_azimuth_deg);
   const double elevation = radians(default_elevation_deg);
   Camera camera = lookingAlong(
       {std::sin(azimuth) * std::cos(elevation), std::sin(elevation), std::cos(azimuth) * std::cos(elevation)},
       Vec3::UnitY());
-  camera.tan_half_height = std::tan(radians(CameraSettings{}.field_of_view_deg) / 2);
+  camera.tan_half_height = std::tan(radians(field_of_view_deg) / 2);
   camera.width_px = width_px;
   camera.height_px = height_px;
-  return fitCamera(camera, pointsInView(scene, first), default_filled);
+  return fitCamera(camera, points_m, default_filled);
+}
+
+Camera frameCamera(const FrameSettings& settings, std::span<const Vec3> points_m) {
+  return settings.camera ? makeCamera(*settings.camera, settings.width_px, settings.height_px)
+                         : defaultCamera(points_m, settings.width_px, settings.height_px);
+}
+
+CameraSettings settingsOf(const Camera& camera) {
+  const double field_of_view_deg = 2 * std::atan(camera.tan_half_height) * 180 / std::numbers::pi;
+  return {camera.position_m, camera.position_m - camera.focus_m * camera.back, camera.up, field_of_view_deg};
 }
 
 }  // namespace fissure

@@ -70,6 +70,13 @@ std::vector<Vec3> pointsInView(const Scene& scene, const State& first);
 
 /// The default camera: pointsInView from the front (looking along -z), 25 degrees from the right and 20 from
 /// above.
-Camera defaultCamera(const Scene& scene, const State& first, int width_px, int height_px);
+Camera defaultCamera(std::span<const Vec3> points_m, int width_px, int height_px,
+                     double field_of_view_deg = CameraSettings{}.field_of_view_deg);
+
+/// The camera of a scenario's frames: theirs, or the default one.
+Camera frameCamera(const FrameSettings& settings, std::span<const Vec3> points_m);
+
+/// What makeCamera() makes this camera of, up to rounding.
+CameraSettings settingsOf(const Camera& camera);
 
 }  // namespace fissure

@@ -20,13 +20,12 @@ double lineWidth_px(int height_px) {
 
 class OffscreenRenderer : public FrameSource {
  public:
-  OffscreenRenderer(const Scene& scene, const FrameSettings& settings, const State& first)
+  OffscreenRenderer(const Scene& scene, const Camera& camera, const State& first)
       : scene_(scene),
-        camera_(settings.camera ? makeCamera(*settings.camera, settings.width_px, settings.height_px)
-                                : defaultCamera(scene, first, settings.width_px, settings.height_px)),
-        scale_(supersampling(settings.width_px, settings.height_px)),
-        painter_(scene, first, camera_, scale_ * lineWidth_px(settings.height_px)),
-        mesa_(scale_ * settings.width_px, scale_ * settings.height_px) {}
+        camera_(camera),
+        scale_(supersampling(camera.width_px, camera.height_px)),
+        painter_(scene, first, camera_, scale_ * lineWidth_px(camera.height_px)),
+        mesa_(scale_ * camera.width_px, scale_ * camera.height_px) {}
 
   Image draw(const State& state, const std::vector<std::string>& lines) override {
     if (state.positions_m.size() != static_cast<std::size_t>(scene_.vertexCount()) ||
@@ -65,7 +64,12 @@ class OffscreenRenderer : public FrameSource {
 
 std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const FrameSettings& settings,
                                                    const State& first) {
-  return std::make_unique<OffscreenRenderer>(scene, settings, first);
+  return makeOffscreenRenderer(scene, frameCamera(settings, pointsInView(scene, first)), first);
+}
+
+std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const Camera& camera,
+                                                   const State& first) {
+  return std::make_unique<OffscreenRenderer>(scene, camera, first);
 }
 
 }  // namespace fissure

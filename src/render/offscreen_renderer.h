@@ -4,6 +4,7 @@
 
 #include "base/image.h"
 #include "base/scene.h"
+#include "render/camera.h"
 #include "scenario/scenario.h"
 
 namespace fissure {
@@ -14,6 +15,9 @@ namespace fissure {
 /// are the same, byte for byte. Throws RunError when OSMesa is not installed or refuses the size; InputError
 /// when the camera looks at itself.
 std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const FrameSettings& settings,
+                                                   const State& first);
+/// The same through a camera of one's own, which has the size of the pictures.
+std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const Camera& camera,
                                                    const State& first);
 
 }  // namespace fissure

@@ -91,8 +91,9 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
       placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
     scene.bodies.push_back(std::move(placed));
   }
+  const bool drawn = scenario.record.frames || scenario.record.snapshots_every_s;
   for (const ToolSettings& tool : scenario.tools) {
-    if (tool.clamp) addClamp(tool, scenario.directory, scenario.record.frames.has_value(), scene);
+    if (tool.clamp) addClamp(tool, scenario.directory, drawn, scene);
     for (const ToolSettings& rigid : rigidTools({tool})) {
       SceneTool made = makeTool(rigid, scenario.directory, with_nodes);
       made.first_node = scene.nodeCount();

@@ -6,7 +6,7 @@
 namespace fissure {
 
 /// The geometry that a scenario describes, its tools those of rigidTools(). Tools get their nodes only when
-/// `with_nodes`, clamps their handles only when the scenario asks for frames.
+/// `with_nodes`, clamps their handles only when the scenario asks for frames or snapshots.
 /// Throws InputError for a mesh file that cannot be read (loadSurface), and for nodes in more than 131,072
 /// triangles.
 Scene buildScene(const Scenario& scenario, bool with_nodes);

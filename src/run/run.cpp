@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "base/frame_text.h"
 #include "motion/jaw_poses.h"
 #include "run/build_scene.h"
 #include "scenario/rigid_tools.h"
@@ -53,13 +54,9 @@ std::string repairsOf(const Scene& scene) {
   return text;
 }
 
-std::vector<std::string> frameText(const std::string& pipeline, const State& state,
-                                   const RecordLayout& layout, const RecordRow& row) {
-  std::vector<std::string> lines = {pipeline, format("t = %.3f s", state.time_s)};
-  if (const Series* depth = layout.find("penetration_depth")) {
-    lines.push_back(format("depth = %.2f mm", 1000 * row[depth->first_column]));
-  }
-  return lines;
+std::optional<double> depth_m(const RecordLayout& layout, const RecordRow& row) {
+  const Series* depth = layout.find("penetration_depth");
+  return depth ? std::optional(row[depth->first_column]) : std::nullopt;
 }
 
 }  // namespace
@@ -178,8 +175,8 @@ void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, Frame
   if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
     outputs.sink.snapshot(state);
   if (frames && isDue(state.step, step_s, record.frames->every_s)) {
-    outputs.sink.frame(state.time_s,
-                       frames->draw(state, frameText(pipeline_.name, state, outputs.layout, row)));
+    const auto text = frameText(pipeline_.name, state.time_s, depth_m(outputs.layout, row));
+    outputs.sink.frame(state.time_s, frames->draw(state, text));
   }
 }
 

@@ -131,5 +131,7 @@ struct Problem {
 
 /// Checks every value and every relation between them that needs no file. Empty: the scenario can be run.
 std::vector<Problem> validate(const Scenario& scenario);
+/// The same for pictures alone; paths as in `camera.up`.
+std::vector<Problem> validate(const FrameSettings& frames);
 
 }  // namespace fissure

@@ -18,6 +18,13 @@ void checkCamera(Checker check, const CameraSettings& camera) {
                 "is zero or along the view, expected a direction across it");
 }
 
+void checkFrames(Checker check, const FrameSettings& frames) {
+  check.positive("every_s", frames.every_s);
+  check.between("size_px", frames.width_px, 16, 4096);
+  check.between("size_px", frames.height_px, 16, 4096);
+  if (frames.camera) checkCamera(check.in("camera"), *frames.camera);
+}
+
 }  // namespace
 
 void checkPipeline(Checker check, const PipelineSettings& pipeline) {
@@ -49,12 +56,13 @@ void checkForce(Checker check, const ForceSettings& force) {
 
 void checkRecord(Checker check, const RecordSettings& record) {
   if (record.snapshots_every_s) check.positive("snapshots_every_s", *record.snapshots_every_s);
-  if (!record.frames) return;
-  Checker frames = check.in("frames");
-  frames.positive("every_s", record.frames->every_s);
-  frames.between("size_px", record.frames->width_px, 16, 4096);
-  frames.between("size_px", record.frames->height_px, 16, 4096);
-  if (record.frames->camera) checkCamera(frames.in("camera"), *record.frames->camera);
+  if (record.frames) checkFrames(check.in("frames"), *record.frames);
+}
+
+std::vector<Problem> validate(const FrameSettings& frames) {
+  std::vector<Problem> problems;
+  checkFrames({problems, ""}, frames);
+  return problems;
 }
 
 namespace {

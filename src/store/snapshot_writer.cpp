@@ -33,6 +33,16 @@ void addFaces(GroupBuilder& group, const std::vector<std::int64_t>& corners) {
                  corners);
 }
 
+/// `vertices_long_name`: what the vertices are, and in whose frame.
+void addSurface(GroupBuilder& group, const TriangleMesh& surface, const std::string& vertices_long_name) {
+  const hsize_t count = surface.vertices_m.size();
+  group.addIndex("vertex", count);
+  group.addLabels("xyz", xyz);
+  group.addFixed({"vertices", "m", vertices_long_name, ValueType::real, {{"vertex", count}, {"xyz", 3}}},
+                 surface.vertices_m);
+  addFaces(group, cornersOf(surface.faces, 0));
+}
+
 void addNodes(GroupBuilder& group, const ToolNodes& nodes) {
   const hsize_t count = nodes.positions_m.size();
   std::vector<double> thicknesses_m = nodes.thicknesses_m;
@@ -83,16 +93,7 @@ void addTools(GroupBuilder& group, const Scene& scene) {
     names.push_back(tool.name);
     first_nodes.push_back(tool.first_node);
     GroupBuilder own(tools.id(), tool.name);
-    const hsize_t count = tool.surface.vertices_m.size();
-    own.addIndex("vertex", count);
-    own.addLabels("xyz", xyz);
-    own.addFixed({"vertices",
-                  "m",
-                  "vertices of the tool, in its frame",
-                  ValueType::real,
-                  {{"vertex", count}, {"xyz", 3}}},
-                 tool.surface.vertices_m);
-    addFaces(own, cornersOf(tool.surface.faces, 0));
+    addSurface(own, tool.surface, "vertices of the tool, in its frame");
     if (tool.nodes.size() > 0) addNodes(own, tool.nodes);
   }
   if (scene.nodeCount() == 0) return;
@@ -101,9 +102,20 @@ void addTools(GroupBuilder& group, const Scene& scene) {
                  first_nodes);
 }
 
+void addHandles(GroupBuilder& group, const Scene& scene) {
+  if (!scene.hasHandles()) return;
+  const GroupBuilder visuals(group.id(), "visuals");
+  for (const SceneClamp& clamp : scene.clamps) {
+    if (clamp.handle.faces.empty()) continue;
+    GroupBuilder own(visuals.id(), clamp.name + "_handle");
+    addSurface(own, clamp.handle, "vertices of the handle, in the clamp's frame");
+  }
+}
+
 SnapshotWriter::SnapshotWriter(GroupBuilder& group, const Scene& scene, std::size_t expected)
     : vertices_(static_cast<std::size_t>(scene.vertexCount())),
-      nodes_(static_cast<std::size_t>(scene.nodeCount())) {
+      nodes_(static_cast<std::size_t>(scene.nodeCount())),
+      placed_clamps_(scene.hasHandles() ? scene.clamps.size() : 0) {
   const std::size_t bytes = std::max<std::size_t>(1, vertices_ * sizeof(Vec3));
   chunk_ = std::clamp<std::size_t>(buffer_bytes / bytes, 1, expected == 0 ? 64 : expected);
   const Dimension time{"snapshot_time", chunk_, true};
@@ -118,16 +130,36 @@ SnapshotWriter::SnapshotWriter(GroupBuilder& group, const Scene& scene, std::siz
                                      {time, vertex, {"xyz", 3}}});
   contact_data_ = group.addGrowing(
       {"vertex_contact", "1", "whether a vertex is in contact with a tool", ValueType::flag, {time, vertex}});
+  if (placed_clamps_ > 0) addClamps(group, scene);
   if (nodes_ == 0) return;
   group.addIndex("node", nodes_);
   node_data_ = group.addGrowing(
       {"node_state", "1", "what each tool node did in the step", ValueType::flag, {time, {"node", nodes_}}});
 }
 
+void SnapshotWriter::addClamps(GroupBuilder& group, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const SceneClamp& clamp : scene.clamps) names.push_back(clamp.name);
+  const Dimension time{"snapshot_time", chunk_, true};
+  const Dimension clamp{"clamp", placed_clamps_};
+  group.addLabels("clamp", names);
+  group.addLabels("quat", {"x", "y", "z", "w"});
+  clamp_position_data_ = group.addGrowing({"clamp_position",
+                                           "m",
+                                           "origin of each clamp, scene frame",
+                                           ValueType::real,
+                                           {time, clamp, {"xyz", 3}}});
+  clamp_quaternion_data_ = group.addGrowing({"clamp_quaternion",
+                                             "1",
+                                             "orientation of each clamp, scene frame",
+                                             ValueType::real,
+                                             {time, clamp, {"quat", 4}}});
+}
+
 bool SnapshotWriter::append(const State& state) {
   const auto fits = [](std::size_t size, std::size_t expected) { return size == 0 || size == expected; };
   if (state.positions_m.size() != vertices_ || !fits(state.vertex_contact.size(), vertices_) ||
-      !fits(state.node_states.size(), nodes_)) {
+      !fits(state.node_states.size(), nodes_) || state.clamps.size() < placed_clamps_) {
     throw std::logic_error("a snapshot does not fit its scene");
   }
   for (const Vec3& position_m : state.positions_m) {
@@ -135,6 +167,12 @@ bool SnapshotWriter::append(const State& state) {
   }
   contacts_.insert(contacts_.end(), state.vertex_contact.begin(), state.vertex_contact.end());
   for (const NodeState node : state.node_states) node_states_.push_back(static_cast<std::uint8_t>(node));
+  for (std::size_t c = 0; c < placed_clamps_; ++c) {
+    const Pose& pose = state.clamps[c].pose;
+    clamp_positions_.insert(clamp_positions_.end(), pose.position_m.data(), pose.position_m.data() + 3);
+    const double* const quaternion = pose.orientation.coeffs().data();  // x, y, z, w
+    clamp_quaternions_.insert(clamp_quaternions_.end(), quaternion, quaternion + 4);
+  }
   times_.push_back(state.time_s);
   ++unwritten_;
   contacts_.resize(unwritten_ * vertices_, 0);
@@ -149,9 +187,13 @@ void SnapshotWriter::writeData() {
   position_data_->append(positions_.data(), unwritten_);
   contact_data_->append(contacts_.data(), unwritten_);
   if (node_data_) node_data_->append(node_states_.data(), unwritten_);
+  if (clamp_position_data_) clamp_position_data_->append(clamp_positions_.data(), unwritten_);
+  if (clamp_quaternion_data_) clamp_quaternion_data_->append(clamp_quaternions_.data(), unwritten_);
   unwritten_ = 0;
   positions_.clear();
   contacts_.clear();
+  clamp_positions_.clear();
+  clamp_quaternions_.clear();
   node_states_.clear();
 }
 

@@ -18,8 +18,13 @@ void addBodies(GroupBuilder& group, const Scene& scene);
 /// itself when the scene has nodes. A node without partner has node_partner -1 and a missing (NaN) thickness.
 void addTools(GroupBuilder& group, const Scene& scene);
 
-/// Snapshots of a run: positions(snapshot_time,vertex,xyz), vertex_contact, and node_state when the scene has
-/// nodes. Buffered by about a megabyte of positions.
+/// visuals/<clamp>_handle: the surface of each clamp's handle, in the clamp's frame; it is drawn, and met by
+/// nothing.
+void addHandles(GroupBuilder& group, const Scene& scene);
+
+/// Snapshots of a run: positions(snapshot_time,vertex,xyz), vertex_contact, node_state when the scene has
+/// nodes, and where it has handles their places: clamp_position(snapshot_time,clamp,xyz), clamp_quaternion.
+/// Buffered by about a megabyte of positions.
 class SnapshotWriter {
  public:
   /// Makes the datasets; `expected` snapshots bound the chunk (0: unknown).
@@ -35,19 +40,26 @@ class SnapshotWriter {
   void writeTimes();
 
  private:
+  void addClamps(GroupBuilder& group, const Scene& scene);
+
   std::size_t vertices_;
   std::size_t nodes_;
+  std::size_t placed_clamps_;  ///< 0: there is no handle
   std::size_t chunk_;
   std::size_t in_chunk_ = 0;  ///< snapshots of the current chunk, written or buffered
   std::vector<double> positions_;
   std::vector<std::uint8_t> contacts_;
   std::vector<std::uint8_t> node_states_;
+  std::vector<double> clamp_positions_;
+  std::vector<double> clamp_quaternions_;
   std::vector<double> times_;
   hsize_t unwritten_ = 0;  ///< snapshots whose data are buffered
   std::optional<GrowingDataset> time_data_;
   std::optional<GrowingDataset> position_data_;
   std::optional<GrowingDataset> contact_data_;
   std::optional<GrowingDataset> node_data_;
+  std::optional<GrowingDataset> clamp_position_data_;
+  std::optional<GrowingDataset> clamp_quaternion_data_;
 };
 
 /// Pictures of a run: frames(frame_time,image_y,image_x,channel).

@@ -138,7 +138,7 @@ State firstState(const Scene& scene) {
 TEST(DefaultCamera, StandsInFrontAboveAndToTheRight) {
   const Scene scene = sphereAndTool();
   const State first = firstState(scene);
-  const Camera camera = defaultCamera(scene, first, 640, 480);
+  const Camera camera = defaultCamera(pointsInView(scene, first), 640, 480);
   EXPECT_NEAR(std::asin(camera.back.y()) * 180 / M_PI, 20, 1e-9);
   EXPECT_NEAR(std::atan2(camera.back.x(), camera.back.z()) * 180 / M_PI, 25, 1e-9);
   EXPECT_GT(camera.up.y(), 0.9);
@@ -171,7 +171,7 @@ TEST(PointsInView, LeavesOutWhatCannotBeDrawn) {
   for (Vec3& position_m : first.positions_m) {
     position_m.setConstant(nan);
   }
-  const Camera camera = defaultCamera(scene, first, 640, 480);  // nothing left: 0.1 m around the origin
+  const Camera camera = defaultCamera(pointsInView(scene, first), 640, 480);  // nothing left: 0.1 m around the origin
   EXPECT_TRUE(camera.position_m.allFinite());
   EXPECT_TRUE(camera.project({0.05, 0.05, 0.05}));
 }
