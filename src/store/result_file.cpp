@@ -176,7 +176,7 @@ void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& l
 
 void removeHalfWritten(const std::filesystem::path& path, int process) {
   std::error_code ignored;
-  for (int n = 0; std::filesystem::remove(ReplacementFile::temporaryName(path, process, n), ignored); ++n) {
+  for (int n = 0; std::filesystem::remove(TemporaryFile::nameFor(path, process, n), ignored); ++n) {
   }
 }
 
