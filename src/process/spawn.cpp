@@ -41,11 +41,12 @@ void setWorkerSignals() {
 
 /// Runs in the child, between fork and exec: system calls only. Returns only when exec failed, with errno
 /// set.
-void becomeWorker(pid_t parent, const Pipe& output, const Pipe& errors, char* const* arguments) {
+void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pipe& errors,
+                  char* const* arguments) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
   if (::getppid() != parent) ::_exit(1);  // it died before the line above
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  if (nothing < 0 || ::dup2(nothing, STDIN_FILENO) < 0) return;
+  const int read = input.reading.open() ? input.reading.number() : ::open("/dev/null", O_RDONLY);
+  if (read < 0 || ::dup2(read, STDIN_FILENO) < 0) return;
   if (::dup2(output.writing.number(), STDOUT_FILENO) < 0) return;
   if (::dup2(errors.writing.number(), STDERR_FILENO) < 0) return;
   if (::close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC) != 0) return;
@@ -63,6 +64,7 @@ SpawnedProcess spawn(const WorkerTask& task) {
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
 
+  Pipe input = task.fed ? makePipe() : Pipe();
   Pipe output = makePipe();
   Pipe errors = makePipe();
   Pipe failure = makePipe();  // closed by a successful exec, else brings errno
@@ -70,7 +72,7 @@ SpawnedProcess spawn(const WorkerTask& task) {
   const pid_t process = ::fork();
   if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
   if (process == 0) {
-    becomeWorker(parent, output, errors, arguments.data());
+    becomeWorker(parent, input, output, errors, arguments.data());
     const int reason = errno;
     const ssize_t written = ::write(failure.writing.number(), &reason, sizeof reason);
     ::_exit(written == sizeof reason ? 127 : 126);
@@ -86,7 +88,8 @@ SpawnedProcess spawn(const WorkerTask& task) {
   }
   ::fcntl(output.reading.number(), F_SETFL, O_NONBLOCK);
   ::fcntl(errors.reading.number(), F_SETFL, O_NONBLOCK);
-  return {process, std::move(output.reading), std::move(errors.reading)};
+  if (task.fed) ::fcntl(input.writing.number(), F_SETFL, O_NONBLOCK);
+  return {process, std::move(output.reading), std::move(errors.reading), std::move(input.writing)};
 }
 
 }  // namespace fissure

@@ -7,11 +7,12 @@
 
 namespace fissure {
 
-/// A process just started, with the reading ends of its pipes (non-blocking).
+/// A process just started, with our ends of its pipes (non-blocking).
 struct SpawnedProcess {
   pid_t process = -1;
   Descriptor output;  ///< its stdout
   Descriptor errors;  ///< its stderr
+  Descriptor input;   ///< its stdin, when it is fed
 };
 
 /// Forks and executes `task` under the rules in Worker. Throws RunError with the system's reason when it

@@ -21,6 +21,7 @@ struct WorkerTask {
   std::filesystem::path program;
   std::vector<std::string> arguments;  ///< without the program's name; passed on as they are, no shell
   double time_limit_s = 3600;          ///< wall clock, from its start
+  bool fed = false;  ///< reads what it is given (FedProcess); otherwise there is nothing to read
 };
 
 /// A worker process. Contract of the program: on stdout lines `progress <step> <steps>`, on stderr at most
