@@ -52,6 +52,7 @@ int start(int argc, char** argv) {
                                    addList(app),
                                    addInfo(app),
                                    addCompare(app),
+                                   addRender(app),
                                    addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);

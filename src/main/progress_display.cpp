@@ -16,13 +16,6 @@ namespace {
 constexpr std::chrono::milliseconds terminal_every{100};
 constexpr std::chrono::seconds plain_every{5};
 
-std::string duration(double seconds) {
-  if (seconds < 60) return std::to_string(std::lround(seconds)) + " s";
-  const long minutes = std::lround(seconds / 60);
-  if (minutes < 60) return std::to_string(minutes) + " min";
-  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
-}
-
 std::size_t columnsOf(int descriptor) {
   winsize size = {};
   if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
@@ -30,6 +23,13 @@ std::size_t columnsOf(int descriptor) {
 }
 
 }  // namespace
+
+std::string durationText(double seconds) {
+  if (seconds < 60) return std::to_string(std::lround(seconds)) + " s";
+  const long minutes = std::lround(seconds / 60);
+  if (minutes < 60) return std::to_string(minutes) + " min";
+  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
 
 std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s) {
   std::ostringstream line;
@@ -47,7 +47,7 @@ std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s)
       line << ", " << run.name << " " << 100 * run.progress.step / run.progress.steps << "%";
   const double rate_per_s = elapsed_s > 0 ? static_cast<double>(stepped) / elapsed_s : 0;
   line << ", " << std::lround(rate_per_s) << " steps/s";
-  if (rate_per_s > 0) line << ", " << duration(static_cast<double>(left) / rate_per_s) << " left";
+  if (rate_per_s > 0) line << ", " << durationText(static_cast<double>(left) / rate_per_s) << " left";
   return line.str();
 }
 
@@ -59,10 +59,14 @@ ProgressDisplay::ProgressDisplay(std::ostream& stream, int descriptor)
       next_(start_ + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every))) {}
 
 void ProgressDisplay::update(const std::vector<RunProgress>& runs) {
+  show([&](double elapsed_s) { return progressLine(runs, elapsed_s); });
+}
+
+void ProgressDisplay::show(const std::function<std::string(double elapsed_s)>& make_line) {
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
   next_ = now + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every));
-  const std::string line = progressLine(runs, std::chrono::duration<double>(now - start_).count());
+  const std::string line = make_line(std::chrono::duration<double>(now - start_).count());
   if (!terminal_) {
     stream_ << line << std::endl;
     return;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <iosfwd>
 #include <string>
 #include <vector>
@@ -16,6 +17,9 @@ struct RunProgress {
   Phase phase = Phase::waiting;
   Progress progress;  ///< `steps` is known from the start
 };
+
+/// "12 s", "3 min", "2 h 5 min".
+std::string durationText(double seconds);
 
 /// One line about `runs` after `elapsed_s`: percent of each running one, runs done, steps a second, time
 /// left.
@@ -33,6 +37,8 @@ class ProgressDisplay {
 
   /// Call as often as you like.
   void update(const std::vector<RunProgress>& runs);
+  /// The same for other work: `line` says how far it is after so many seconds.
+  void show(const std::function<std::string(double elapsed_s)>& line);
   /// Takes the line off the terminal, before something else is printed.
   void clear();
 

@@ -24,6 +24,7 @@ Verb addValidate(CLI::App& app);
 Verb addList(CLI::App& app);
 Verb addInfo(CLI::App& app);
 Verb addCompare(CLI::App& app);
+Verb addRender(CLI::App& app);
 Verb addSalvage(CLI::App& app, const std::string& command_line);
 
 }  // namespace fissure

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "report/picture_times.h"
+#include "report/stored_pictures.h"
+
+namespace fissure {
+
+/// What `fissure render` was asked for.
+struct RenderJob {
+  std::filesystem::path result;
+  std::vector<std::string> runs;                ///< empty: all
+  std::optional<std::filesystem::path> folder;  ///< for pictures
+  std::optional<std::filesystem::path> video;   ///< its ending is one of videoKinds()
+  bool separate = false;                        ///< pictures of one run each
+  bool force = false;                           ///< replace what is there
+  TimeSelection times;
+  std::optional<std::pair<int, int>> size_px;  ///< of a panel; default: the scenario's frames, or theirs
+  CameraChoice camera;
+  int columns = 4;
+  double frames_per_s = 25;
+  double slow_motion = 1;
+};
+
+/// Draws and writes; returns the exit code, also of an interruption. Throws InputError before anything is
+/// drawn, but for a missing ffmpeg when there are pictures to be written: then at the end. RunError for what
+/// cannot be written; pictures that were finished stay, of a video nothing does.
+int render(const RenderJob& job);
+
+}  // namespace fissure

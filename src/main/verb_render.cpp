@@ -1,0 +1,145 @@
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <regex>
+
+#include "base/error.h"
+#include "main/comparison.h"
+#include "main/render_job.h"
+#include "main/verbs.h"
+#include "report/video_file.h"
+#include "scenario/did_you_mean.h"
+
+namespace fissure {
+
+namespace {
+
+struct RenderOptions {
+  std::string result, folder, video, size;
+  std::vector<std::string> runs;
+  bool separate = false, force = false;
+  std::vector<double> at_s, camera_position_m, look_at_m, up;
+  std::optional<double> from_s, to_s, every_s, field_of_view_deg;
+  int columns = 4;
+  double frames_per_s = 25, slow_motion = 1;
+};
+
+std::pair<int, int> sizeOf(const std::string& text) {
+  std::smatch match;
+  if (!std::regex_match(text, match, std::regex("([0-9]{1,6})x([0-9]{1,6})")))
+    throw InputError("--size: \"" + text + "\", expected width and height in pixels, as in 640x480");
+  return {std::stoi(match[1]), std::stoi(match[2])};
+}
+
+std::optional<Vec3> vectorOf(const std::vector<double>& values) {
+  return values.empty() ? std::nullopt : std::optional<Vec3>(Vec3(values[0], values[1], values[2]));
+}
+
+std::filesystem::path videoOf(const std::string& text, double frames_per_s) {
+  const std::filesystem::path file = text;
+  const std::string ending = file.extension().string();
+  const std::vector<std::string>& kinds = videoKinds();
+  if (ending.empty() || std::find(kinds.begin(), kinds.end(), ending.substr(1)) == kinds.end())
+    throw InputError("--video: \"" + text + "\", expected a name that ends in .mp4, .webm or .gif");
+  constexpr double fastest_gif = 50;  // its times are whole hundredths, and one is taken for none
+  if (ending == ".gif" && frames_per_s > fastest_gif)
+    throw InputError("--fps: more than 50 frames a second, expected at most 50 in a gif");
+  return file;
+}
+
+RenderJob jobOf(const RenderOptions& options) {
+  RenderJob job;
+  const ResultChoice choice = parseChoice(options.result);
+  job.result = choice.file;
+  job.runs = options.runs;
+  if (!choice.run.empty()) job.runs.insert(job.runs.begin(), choice.run);
+  if (options.folder.empty() && options.video.empty())
+    throw InputError("fissure render: expected -o DIR for pictures, --video FILE, or both");
+  if (!options.folder.empty()) job.folder = options.folder;
+  if (!options.video.empty()) job.video = videoOf(options.video, options.frames_per_s);
+  job.separate = options.separate;
+  job.force = options.force;
+  job.times = {options.from_s, options.to_s, options.every_s, options.at_s};
+  if (!options.size.empty()) job.size_px = sizeOf(options.size);
+  job.camera = {vectorOf(options.camera_position_m), vectorOf(options.look_at_m), vectorOf(options.up),
+                options.field_of_view_deg};
+  job.columns = options.columns;
+  job.frames_per_s = options.frames_per_s;
+  job.slow_motion = options.slow_motion;
+  return job;
+}
+
+/// CLI::Range lets NaN pass.
+CLI::Validator between(double low, double high) {
+  const auto text = [](double value) { return CLI::detail::to_string(value); };
+  const std::string expected = "expected a number from " + text(low) + " to " + text(high);
+  return CLI::Validator(
+      [=](std::string& given) {
+        double value = std::nan("");
+        const bool number = CLI::detail::lexical_cast(given, value);
+        return number && value >= low && value <= high ? std::string() : given + ": " + expected;
+      },
+      "");
+}
+
+CLI::Option* addVector(CLI::App& command, const std::string& name, std::vector<double>& values,
+                       const std::string& what) {
+  return command.add_option(name, values, what)->type_name("X Y Z")->expected(3)->delimiter(',');
+}
+
+void addChoices(CLI::App& command, RenderOptions& options) {
+  command.add_option("--pipeline", options.runs, "only the runs of this name; may be repeated")
+      ->allow_extra_args(false);
+  CLI::Option* const separate =
+      command.add_flag("--separate", options.separate, "a picture for each run, as the run draws its frames");
+  separate->excludes("--video");
+  command.add_option("--columns", options.columns, "panels in a row")
+      ->check(between(1, 1000))
+      ->capture_default_str();
+  const auto seconds = between(-1e9, 1e9);
+  CLI::Option* const at =
+      command.add_option("--at", options.at_s, "the snapshots nearest to these times, seconds: 0.1,0.2");
+  at->delimiter(',')->allow_extra_args(false)->check(seconds);
+  command.add_option("--from", options.from_s, "not before this time, seconds")->check(seconds)->excludes(at);
+  command.add_option("--to", options.to_s, "not after this time, seconds")->check(seconds)->excludes(at);
+  command.add_option("--every", options.every_s, "at most one snapshot in this time, seconds")
+      ->check(between(1e-9, 1e9))
+      ->excludes(at);
+}
+
+void addLooks(CLI::App& command, RenderOptions& options) {
+  command.add_option("--size", options.size, "WxH of a panel in pixels; default: of the scenario's frames");
+  addVector(command, "--camera-position", options.camera_position_m, "where the camera stands, metres");
+  addVector(command, "--look-at", options.look_at_m, "what it looks at, metres");
+  addVector(command, "--up", options.up, "what is up in the pictures");
+  command.add_option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees");
+  command.add_option("--fps", options.frames_per_s, "frames of the video in a second")
+      ->check(between(1, 240))
+      ->capture_default_str();
+  command
+      .add_option("--slow-motion", options.slow_motion,
+                  "so many times slower than what is shown; 0.5: twice as fast")
+      ->check(between(1e-3, 1e6))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+Verb addRender(CLI::App& app) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command =
+      app.add_subcommand("render", "pictures and videos of a result's snapshots, its runs side by side");
+  command->add_option("RESULT", options->result, "result file, or FILE:NAME for one run of it")
+      ->required()
+      ->check(notEmpty);
+  command->add_option("-o,--output", options->folder, "folder for the pictures: <name>_<time>s.png")
+      ->check(notEmpty);
+  command->add_option("--video", options->video, "video of them, made by ffmpeg: .mp4, .webm or .gif")
+      ->check(notEmpty);
+  addChoices(*command, *options);
+  addLooks(*command, *options);
+  command->add_flag("--force", options->force, "replace existing files");
+  return {command, [options] { return render(jobOf(*options)); }};
+}
+
+}  // namespace fissure
