@@ -205,12 +205,17 @@ bool draw(std::vector<PictureSeries>& all, const std::vector<std::vector<fs::pat
   return true;
 }
 
+int stopped() {
+  std::cerr << "interrupted: finished pictures are kept, no video is\n";
+  return exit_interrupted;
+}
+
 int drawAll(const RenderJob& job, std::vector<PictureSeries>& all,
             const std::vector<std::vector<fs::path>>& files) {
   Interrupt interrupt;
   try {
     VideoOfJob video(job, all.front(), interrupt.descriptor());
-    if (!draw(all, files, video, interrupt)) return exit_interrupted;
+    if (!draw(all, files, video, interrupt)) return stopped();
     std::size_t pictures = 0;
     for (const std::vector<fs::path>& own : files) pictures += own.size();
     if (job.folder) std::cout << "pictures: " << pictures << " in " << job.folder->string() << "\n";
@@ -219,7 +224,7 @@ int drawAll(const RenderJob& job, std::vector<PictureSeries>& all,
       std::cout << "video: " << job.video->string() << ", " << frames << " frames, "
                 << static_cast<double>(frames) / job.frames_per_s << " s\n";
   } catch (const RunError&) {
-    if (interrupt.requested()) return exit_interrupted;  // ffmpeg was stopped
+    if (interrupt.requested()) return stopped();  // ffmpeg was
     throw;
   }
   return exit_good;

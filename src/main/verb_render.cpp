@@ -112,7 +112,8 @@ void addLooks(CLI::App& command, RenderOptions& options) {
   addVector(command, "--camera-position", options.camera_position_m, "where the camera stands, metres");
   addVector(command, "--look-at", options.look_at_m, "what it looks at, metres");
   addVector(command, "--up", options.up, "what is up in the pictures");
-  command.add_option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees");
+  command.add_option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees")
+      ->check(between(1, 150));
   command.add_option("--fps", options.frames_per_s, "frames of the video in a second")
       ->check(between(1, 240))
       ->capture_default_str();

@@ -18,7 +18,8 @@ namespace fissure {
 /// The first folder of $PATH that has a program of that name; no value: none has.
 std::optional<std::filesystem::path> programOnPath(const std::string& name);
 
-/// A program that works on what it is fed through its standard input. It dies with the process that made it.
+/// A program that works on what it is fed through its standard input. It dies with the process that made it,
+/// which must ignore SIGPIPE.
 /// Of what it prints only the last line on stderr is kept.
 class FedProcess {
  public:

@@ -63,6 +63,30 @@ TEST(Camera, AxesAreRightHandedForAnyUp) {
   EXPECT_NEAR(makeCamera(upright, 64, 48).right.norm(), 1, 1e-12);
 }
 
+TEST(Camera, ItsSettingsMakeItAgain) {
+  const CameraSettings settings{{0.1, 0.3, 0.5}, {0.02, -0.03, 0.04}, {0.2, 1, 0.1}, 42};
+  const Camera camera = makeCamera(settings, 64, 48);
+  const CameraSettings found = settingsOf(camera);
+  EXPECT_EQ(found.position_m, settings.position_m);
+  EXPECT_NEAR((found.look_at_m - settings.look_at_m).norm(), 0, 1e-15);
+  EXPECT_NEAR(found.field_of_view_deg, 42, 1e-12);
+  const Camera again = makeCamera(found, 64, 48);
+  EXPECT_NEAR((again.right - camera.right).norm() + (again.up - camera.up).norm(), 0, 1e-14);
+}
+
+TEST(Camera, OfAScenarioIsItsOwnOrTheDefault) {
+  const std::vector<Vec3> points_m = {{0, 0, 0}, {0.1, 0.1, 0.1}};
+  FrameSettings frames;
+  EXPECT_EQ(frameCamera(frames, points_m).position_m, defaultCamera(points_m, 640, 480).position_m);
+  EXPECT_GT(defaultCamera(points_m, 640, 480, 10).focus_m,
+            1.5 * defaultCamera(points_m, 640, 480, 20).focus_m)
+      << "a narrower view is from farther off";
+  frames.camera = CameraSettings{{1, 2, 3}, {0, 0, 0}, {0, 1, 0}, 35};
+  frames.width_px = 100;
+  EXPECT_EQ(frameCamera(frames, points_m).position_m, Vec3(1, 2, 3));
+  EXPECT_EQ(frameCamera(frames, points_m).width_px, 100);
+}
+
 TEST(Camera, RefusesToLookAtItself) {
   CameraSettings settings;
   settings.position_m = settings.look_at_m = {0.1, 0.2, 0.3};
@@ -171,7 +195,8 @@ TEST(PointsInView, LeavesOutWhatCannotBeDrawn) {
   for (Vec3& position_m : first.positions_m) {
     position_m.setConstant(nan);
   }
-  const Camera camera = defaultCamera(pointsInView(scene, first), 640, 480);  // nothing left: 0.1 m around the origin
+  const Camera camera =
+      defaultCamera(pointsInView(scene, first), 640, 480);  // nothing left: 0.1 m around the origin
   EXPECT_TRUE(camera.position_m.allFinite());
   EXPECT_TRUE(camera.project({0.05, 0.05, 0.05}));
 }

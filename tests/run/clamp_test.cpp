@@ -206,7 +206,7 @@ TEST_F(ClampRun, AHandleChangesNothing) {
   EXPECT_EQ(seen.number("max_penetration_depth_m"), without.number("max_penetration_depth_m"));
 }
 
-TEST_F(ClampRun, AHandleIsMadeOnlyWhereFramesAreDrawn) {
+TEST_F(ClampRun, AHandleIsMadeOnlyForWhatCanBeDrawn) {
   clamp().handle = {ClampPart{.shape = BoxShape{Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.1, 0}},
                     ClampPart{.shape = BoxShape{Vec3(0.01, 0.02, 0.03)}, .position_m = {0, 0.2, 0}}};
   EXPECT_TRUE(buildScene(scenario, true).clamps.at(0).handle.vertices_m.empty());
@@ -218,6 +218,11 @@ TEST_F(ClampRun, AHandleIsMadeOnlyWhereFramesAreDrawn) {
   EXPECT_EQ(scene.clamps.at(0).handle.faces.back()[0], 8 + scene.clamps.at(0).handle.faces.at(11)[0]);
   EXPECT_EQ(scene.tools.size(), 2u);
   EXPECT_EQ(scene.nodeCount(), 2 * 2 * 144);
+  EXPECT_TRUE(scene.hasHandles());
+  scenario.record.frames.reset();
+  EXPECT_FALSE(buildScene(scenario, true).hasHandles());
+  scenario.record.snapshots_every_s = 0.1;  // which can be drawn later
+  EXPECT_EQ(buildScene(scenario, true).clamps.at(0).handle.faces, scene.clamps.at(0).handle.faces);
 }
 
 }  // namespace
