@@ -36,7 +36,7 @@ std::optional<Vec3> vectorOf(const std::vector<double>& values) {
 }
 
 std::filesystem::path videoOf(const std::string& text, double frames_per_s) {
-  const std::filesystem::path file = text;
+  std::filesystem::path file = text;
   const std::string ending = file.extension().string();
   const std::vector<std::string>& kinds = videoKinds();
   if (ending.empty() || std::find(kinds.begin(), kinds.end(), ending.substr(1)) == kinds.end())
@@ -84,7 +84,7 @@ CLI::Validator between(double low, double high) {
 
 CLI::Option* addVector(CLI::App& command, const std::string& name, std::vector<double>& values,
                        const std::string& what) {
-  return command.add_option(name, values, what)->type_name("X Y Z")->expected(3)->delimiter(',');
+  return command.add_option(name, values, what)->expected(3)->delimiter(',');
 }
 
 void addChoices(CLI::App& command, RenderOptions& options) {
@@ -109,9 +109,10 @@ void addChoices(CLI::App& command, RenderOptions& options) {
 
 void addLooks(CLI::App& command, RenderOptions& options) {
   command.add_option("--size", options.size, "WxH of a panel in pixels; default: of the scenario's frames");
-  addVector(command, "--camera-position", options.camera_position_m, "where the camera stands, metres");
-  addVector(command, "--look-at", options.look_at_m, "what it looks at, metres");
-  addVector(command, "--up", options.up, "what is up in the pictures");
+  addVector(command, "--camera-position", options.camera_position_m,
+            "where the camera stands: x y z, metres");
+  addVector(command, "--look-at", options.look_at_m, "what it looks at: x y z, metres");
+  addVector(command, "--up", options.up, "what is up in the pictures: x y z");
   command.add_option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees")
       ->check(between(1, 150));
   command.add_option("--fps", options.frames_per_s, "frames of the video in a second")
@@ -119,7 +120,7 @@ void addLooks(CLI::App& command, RenderOptions& options) {
       ->capture_default_str();
   command
       .add_option("--slow-motion", options.slow_motion,
-                  "so many times slower than what is shown; 0.5: twice as fast")
+                  "how many times slower than simulated; 0.5: twice as fast")
       ->check(between(1e-3, 1e6))
       ->capture_default_str();
 }

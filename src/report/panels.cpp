@@ -21,8 +21,8 @@ void copyInto(Image& image, const Image& panel, int left_px, int top_px) {
 }  // namespace
 
 PictureSize joinedSize(const PictureSize& panel, int panels, int columns) {
-  const int across = std::min(panels, columns);
-  const int down = (panels + columns - 1) / columns;
+  const long long across = std::min(panels, columns);
+  const long long down = (panels + columns - 1) / columns;
   return {across * panel.width_px + (across - 1) * gap_px, down * panel.height_px + (down - 1) * gap_px};
 }
 
