@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <numeric>
+#include <set>
 
 #include "base/error.h"
 #include "main/exit_codes.h"
@@ -61,14 +63,37 @@ std::vector<PipelineResult> chooseRuns(const ResultInfo& info, const RenderJob& 
                                                       : "a scenario with record: {snapshots_every_s: ...}"));
 }
 
-/// What there is to draw. Reads no snapshot but the first.
-std::vector<PictureSeries> openSeries(const RenderJob& job) {
-  const ResultInfo info = readResultInfo(job.result);
+/// A finished result, not a part or a few rows of one.
+ResultInfo wholeResult(const fs::path& file) {
+  ResultInfo info = readResultInfo(file);
   if (!info.complete)
-    throw InputError(job.result.string() +
-                     ": not complete, expected a finished result (of a part: fissure salvage)");
+    throw InputError(file.string() +
+                     ": not complete, expected a finished result (fissure salvage makes one of a part)");
   if (info.reference)
-    throw InputError(job.result.string() + ": a reference, which holds a few rows, expected a whole result");
+    throw InputError(file.string() + ": a reference, which holds a few rows, expected a whole result");
+  return info;
+}
+
+std::vector<double> timesOf(const std::vector<PictureSeries>& all) {
+  std::set<double> times_s;
+  for (const PictureSeries& series : all)
+    times_s.insert(series.pictures.times_s().begin(), series.pictures.times_s().end());
+  return {times_s.begin(), times_s.end()};
+}
+
+/// Of all their times: a run that ended early has no later pictures of its own.
+void chooseTimes(std::vector<PictureSeries>& all, const TimeSelection& selection) {
+  const std::vector<double> chosen_s = selectTimes(timesOf(all), selection);
+  for (PictureSeries& series : all) {
+    const std::vector<double>& own_s = series.pictures.times_s();
+    std::set_intersection(own_s.begin(), own_s.end(), chosen_s.begin(), chosen_s.end(),
+                          std::back_inserter(series.times_s));
+  }
+}
+
+/// What there is to draw. Reads no snapshot but the first of each run.
+std::vector<PictureSeries> openSeries(const RenderJob& job) {
+  const ResultInfo info = wholeResult(job.result);
   const Scenario scenario = scenarioOf(info, job.result);
   PictureSettings settings{scenario.record.frames.value_or(FrameSettings{}), job.camera, job.columns};
   if (job.size_px) std::tie(settings.frames.width_px, settings.frames.height_px) = *job.size_px;
@@ -76,19 +101,18 @@ std::vector<PictureSeries> openSeries(const RenderJob& job) {
   if (scenario.ground) ground_height_m = scenario.ground->height_m;
   const std::vector<PipelineResult> runs = chooseRuns(info, job);
 
-  std::vector<PictureSeries> series;
+  std::vector<PictureSeries> all;
   const auto add = [&](const std::string& name, const std::vector<PipelineResult>& some) {
     StoredPictures pictures(job.result, some, settings, ground_height_m);
-    if (pictures.times_s().empty()) return;
-    std::vector<double> times_s = selectTimes(pictures.times_s(), job.times);
-    series.push_back({name, std::move(pictures), std::move(times_s)});
+    if (!pictures.times_s().empty()) all.push_back({name, std::move(pictures), {}});
   };
   if (job.separate)
     for (const PipelineResult& run : runs) add(run.name, {run});
   else if (!runs.empty())
     add(runs.size() == 1 ? runs.front().name : scenario.name, runs);
-  if (series.empty()) failWithoutSnapshots(job, runs, scenario);
-  return series;
+  if (all.empty()) failWithoutSnapshots(job, runs, scenario);
+  chooseTimes(all, job.times);
+  return all;
 }
 
 void refuseExisting(const fs::path& path, bool force) {
@@ -111,8 +135,8 @@ void makeFolder(const fs::path& folder) {
 std::vector<std::vector<fs::path>> claimFiles(const RenderJob& job, const std::vector<PictureSeries>& all) {
   std::vector<std::vector<fs::path>> files;
   if (job.folder) {
+    const TimeTexts texts(timesOf(all));
     for (const PictureSeries& series : all) {
-      const TimeTexts texts(series.pictures.times_s());
       std::vector<fs::path>& own = files.emplace_back();
       for (const double time_s : series.times_s)
         own.push_back(*job.folder / (series.name + "_" + texts.of(time_s) + ".png"));

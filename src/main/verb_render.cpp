@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <memory>
 #include <regex>
 
@@ -8,7 +7,7 @@
 #include "main/render_job.h"
 #include "main/verbs.h"
 #include "report/video_file.h"
-#include "scenario/did_you_mean.h"
+#include "scenario/scalars.h"
 
 namespace fissure {
 
@@ -71,13 +70,11 @@ RenderJob jobOf(const RenderOptions& options) {
 
 /// CLI::Range lets NaN pass.
 CLI::Validator between(double low, double high) {
-  const auto text = [](double value) { return CLI::detail::to_string(value); };
-  const std::string expected = "expected a number from " + text(low) + " to " + text(high);
+  const std::string expected = ": expected a number from " + formatReal(low) + " to " + formatReal(high);
   return CLI::Validator(
-      [=](std::string& given) {
-        double value = std::nan("");
-        const bool number = CLI::detail::lexical_cast(given, value);
-        return number && value >= low && value <= high ? std::string() : given + ": " + expected;
+      [=](const std::string& given) {
+        const std::optional<double> value = toReal(given);
+        return value && *value >= low && *value <= high ? std::string() : given + expected;
       },
       "");
 }

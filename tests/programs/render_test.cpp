@@ -234,6 +234,24 @@ TEST(Render, RefusesWhatOthersWrote) {
   EXPECT_FALSE(fs::exists(folder / "d"));
 }
 
+// A run that ended early says so side by side, and alone has no later pictures.
+TEST(Render, ARunThatEndedEarlyHidesNoOther) {
+  const Folder folder;
+  run(folder, press_scenario, "r.h5");
+  const Outcome changed =
+      runTool(folder, {"/usr/bin/python3", "-c",
+                       "import h5py\n"
+                       "run = h5py.File('r.h5', 'r+')['pipelines/raycast']\n"
+                       "run.attrs['status'] = 'non_finite'\n"
+                       "for name in ['snapshot_time', 'positions', 'vertex_contact', 'node_state']:\n"
+                       "    run[name].resize(2, axis=0)\n"});
+  ASSERT_EQ(changed.code, 0) << changed.err;
+  ASSERT_EQ(render(folder, {"r.h5", "-o", "d", "--separate", "--from", "0.005", "--size", "64x48"}).code, 0);
+  EXPECT_EQ(below(folder, "d"), (Names{"fukuhara_0.010s.png", "fukuhara_0.020s.png", "raycast_0.010s.png"}));
+  EXPECT_EQ(render(folder, {"r.h5", "-o", "e", "--size", "64x48"}).out, "pictures: 3 in e\n");
+  expectOneLine(render(folder, {"r.h5:raycast", "-o", "f", "--from", "0.015"}), 2, "times from 0 to 0.01 s");
+}
+
 // HDF5 1.10 alone crashes on some, or never ends.
 TEST(Render, DamagedResultsAreDrawnOrOneLine) {
   const Folder folder;
