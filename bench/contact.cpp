@@ -102,10 +102,13 @@ double measure(benchmark::State& out, int subdivisions, const std::string& where
   PenetrationMeter meter(sphere.scene, sphere.scenario.measure);
   Penetration found = meter.measure(sphere.state);
   Batch calls;
+  long long searches = 0;
   for (int i = 0; i < kCalls; ++i) {
     meter.measure(before);
+    searches = meter.searches();
     calls.time([&] { found = meter.measure(sphere.state); });
   }
+  out.counters["searches"] = static_cast<double>(meter.searches() - searches);
   if ((found.depth_m > 0) != (where == "deep")) throw std::logic_error("not a state that is " + where);
   out.counters["samples"] = static_cast<double>(meter.sampleCount());
   out.counters["allocations"] = calls.allocationCount() / kCalls;

@@ -1,10 +1,12 @@
 #include "measure/coupling_probe.h"
 
+#include <algorithm>
+
 namespace fissure {
 
 CouplingProbe::CouplingProbe(const Scenario& scenario) {
   for (const ToolSettings& tool : scenario.tools)
-    if (tool.coupling) coupled_.push_back({.name = tool.name});
+    if (tool.coupling) coupled_.push_back({.name = tool.name, .limit_N = tool.force_limit_N});
 }
 
 void CouplingProbe::declare(RecordLayout& layout) {
@@ -20,6 +22,13 @@ void CouplingProbe::declare(RecordLayout& layout) {
                               .units = "N",
                               .long_name = "force of spring and damper on the tool, scene frame",
                               .axes = {"coupling", "xyz"}});
+  if (std::none_of(coupled_.begin(), coupled_.end(), [](const Coupled& c) { return c.limit_N.has_value(); }))
+    return;
+  saturated_column_ = layout.add({.name = "coupling_saturated",
+                                  .units = "1",
+                                  .long_name = "the coupling's force is beyond the device's limit",
+                                  .type = ValueType::flag,
+                                  .axes = {"coupling"}});
 }
 
 void CouplingProbe::sample(const State& state, RecordRow& row) {
@@ -31,6 +40,11 @@ void CouplingProbe::sample(const State& state, RecordRow& row) {
     seen.final_lag_m = (coupling.target_m - state.tools[coupling.tool].pose.position_m).norm();
     seen.force_N.add(coupling.force_on_tool_N.norm());
     seen.lag_m.add(seen.final_lag_m);
+    if (!saturated_column_) continue;
+    // Negated, so that a force that is not a number counts as beyond the limit.
+    const bool saturated = seen.limit_N && !(coupling.force_on_tool_N.norm() <= *seen.limit_N);
+    row[*saturated_column_ + i] = saturated ? 1 : 0;
+    seen.saturated_steps += saturated ? 1 : 0;
   }
 }
 
@@ -39,6 +53,7 @@ void CouplingProbe::summarize(Summary& summary) const {
     summary.push_back({seen.name + "_max_coupling_force_N", seen.force_N.value()});
     summary.push_back({seen.name + "_max_lag_m", seen.lag_m.value()});
     summary.push_back({seen.name + "_final_lag_m", seen.final_lag_m});
+    if (seen.limit_N) summary.push_back({seen.name + "_coupling_saturated_steps", seen.saturated_steps});
   }
 }
 

@@ -17,9 +17,9 @@ bool isUsable(const Vec3& point) {
   return (point.array().abs() <= kCoordinateLimit_m).all();
 }  // false for NaN
 
-/// Closer than this a bound of a distance says nothing: of a surface's extent, for the slack of crossings
-/// (1e-9 of a triangle) and rounding.
-constexpr double kSlack = 1e-8;
+/// Closer than this share of a surface's extent a bound of a distance says nothing: for rounding, which is
+/// largest (5e-5 of its edge) at triangles that are nearly slivers, and for the slack of crossings.
+constexpr double kSlack = 1e-4;
 
 /// A distance is looked for as far as some steps go: farther costs more than it saves.
 constexpr double kShortestLook_m = 0.0005;
@@ -133,7 +133,7 @@ void PenetrationMeter::moveTo(const State& state) {
 // What a bound of a distance may be wrong by.
 double PenetrationMeter::slack_m(std::size_t body_index) const {
   const TreeBox& whole = bodies_[body_index].surface.boxes()[0];
-  return kSlack * (whole.high - whole.low).maxCoeff() + 1e-9;
+  return kSlack * (whole.high - whole.low).maxCoeff();
 }
 
 // The distance of a sample; any up to search.enough_m as soon as one is found, infinite beyond

@@ -99,13 +99,15 @@ void Run::makeCouplings() {
   }
 }
 
-// The force is that of the step before: this step's follows from where the tool goes.
+// The force is that of the step before: this step's follows from where the tool goes. In steps of a
+// micronewton, so that the last bit of pow(), which differs between processors, does not reach the motion.
 void Run::moveCoupled(std::vector<Pose>& poses) {
   for (Coupled& coupled : coupled_) {
     Pose& pose = poses[coupled.tool];
     const Vec3& force_N =
         simulation_->state().tool_forces_N[coupled.law * scene_.tools.size() + coupled.tool];
-    pose.position_m = coupled.coupling.advance(pose.position_m, force_N);
+    const Vec3 felt_N = (1e6 * force_N).array().round() / 1e6;
+    pose.position_m = coupled.coupling.advance(pose.position_m, felt_N);
   }
 }
 

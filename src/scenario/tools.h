@@ -40,7 +40,8 @@ struct NodeSettings {
 };
 
 /// A tool of its own mass, which a hand leads by a spring and a damper (virtual coupling): its motion says
-/// where the hand is. What a force law says that tissue does to the tool then moves it.
+/// where the hand is. What a force law says that tissue does to the tool then moves it, in steps of a
+/// micronewton; gravity and what contacts rub do not.
 struct CouplingSettings {
   double mass_kg = 0;        ///< > 0; no default, as the next two
   double stiffness_N_m = 0;  ///< > 0
@@ -50,7 +51,8 @@ struct CouplingSettings {
   bool operator==(const CouplingSettings&) const = default;
 };
 
-/// A rigid tool on a prescribed path; with `clamp` two of them, the jaws NAME_left and NAME_right.
+/// A rigid tool on a prescribed path, or led along one by a coupling; with `clamp` two of them, the jaws
+/// NAME_left and NAME_right.
 struct ToolSettings {
   std::string name;
   SurfaceShape shape = BoxShape{};  ///< in the tool's frame

@@ -81,7 +81,8 @@ class Walk {
 TEST(Following, EveryStepIsAsMeasuredAnew) {
   const std::vector<TriangleMesh> bodies = {makeSphere(0.03, 2),
                                             test::moved(makeSphere(0.012, 1), test::at(0.03, 0.02, 0))};
-  const Scene scene = test::makeScene(bodies, {kBlade, Vec3(0.004, 0.06, 0.004)});
+  Scene scene = test::makeScene(bodies, {kBlade, Vec3(0.004, 0.06, 0.004)});
+  scene.tools[1].box_size_m.reset();  // the same as a tool of triangles
   State state = test::restState(scene, {test::at(0, 0.045, 0), test::at(0.05, 0, 0)});
   const std::vector<Vec3> rest_m = state.positions_m;
   PenetrationMeter meter(scene, {kSpacing_m});
@@ -168,7 +169,10 @@ TEST(Following, StartsAnewAfterAStateThatCannotBeMeasured) {
   meter.measure(lost);
   EXPECT_EQ(meter.measure(inside).depth_m, PenetrationMeter(scene, {}).measure(inside).depth_m);
   meter.measure(lost);
-  EXPECT_EQ(meter.measure(outside).depth_m, 0);
+  const Penetration found = meter.measure(outside), anew = PenetrationMeter(scene, {}).measure(outside);
+  EXPECT_EQ(found.depth_m, 0);
+  EXPECT_EQ(found.stand_off_m, anew.stand_off_m);
+  EXPECT_EQ(found.passed_through, 0);
 }
 
 }  // namespace
