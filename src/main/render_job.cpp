@@ -11,10 +11,10 @@
 #include "base/error.h"
 #include "main/exit_codes.h"
 #include "main/progress_display.h"
+#include "picture/picture_file.h"
+#include "picture/video_file.h"
 #include "process/apart.h"
 #include "process/interrupt.h"
-#include "report/picture_file.h"
-#include "report/video_file.h"
 #include "scenario/did_you_mean.h"
 #include "scenario/load.h"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "report/picture_times.h"
-#include "report/stored_pictures.h"
+#include "picture/picture_times.h"
+#include "picture/stored_pictures.h"
 
 namespace fissure {
 

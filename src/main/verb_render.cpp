@@ -1,12 +1,11 @@
 #include <algorithm>
 #include <memory>
-#include <regex>
 
 #include "base/error.h"
 #include "main/comparison.h"
 #include "main/render_job.h"
 #include "main/verbs.h"
-#include "report/video_file.h"
+#include "picture/video_file.h"
 #include "scenario/scalars.h"
 
 namespace fissure {
@@ -24,10 +23,12 @@ struct RenderOptions {
 };
 
 std::pair<int, int> sizeOf(const std::string& text) {
-  std::smatch match;
-  if (!std::regex_match(text, match, std::regex("([0-9]{1,6})x([0-9]{1,6})")))
+  const std::size_t cross = std::min(text.find('x'), text.size());
+  const std::optional<int> width_px = toInt(text.substr(0, cross));
+  const std::optional<int> height_px = toInt(text.substr(std::min(cross + 1, text.size())));
+  if (!width_px || !height_px)
     throw InputError("--size: \"" + text + "\", expected width and height in pixels, as in 640x480");
-  return {std::stoi(match[1]), std::stoi(match[2])};
+  return {*width_px, *height_px};
 }
 
 std::optional<Vec3> vectorOf(const std::vector<double>& values) {

@@ -1,5 +1,5 @@
 // A panel is what the run itself would have drawn; how a run ended can be seen.
-#include "report/stored_pictures.h"
+#include "picture/stored_pictures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "report/picture_times.h"
+#include "picture/picture_times.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "report/stored_pictures.h"
+#include "picture/stored_pictures.h"
 
 #include <algorithm>
 #include <set>

@@ -1,4 +1,4 @@
-#include "report/picture_file.h"
+#include "picture/picture_file.h"
 
 #include <gtest/gtest.h>
 #include <png.h>

@@ -1,4 +1,4 @@
-#include "report/panels.h"
+#include "picture/panels.h"
 
 #include <algorithm>
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/image.h"
-#include "report/panels.h"
+#include "picture/panels.h"
 #include "scenario/scenario.h"
 #include "store/result_file.h"
 #include "store/snapshot_reader.h"

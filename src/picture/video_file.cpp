@@ -1,4 +1,4 @@
-#include "report/video_file.h"
+#include "picture/video_file.h"
 
 #include "base/error.h"
 #include "scenario/scalars.h"
