@@ -53,6 +53,7 @@ int start(int argc, char** argv) {
                                    addInfo(app),
                                    addCompare(app),
                                    addRender(app),
+                                   addReport(app),
                                    addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);

@@ -25,6 +25,7 @@ Verb addList(CLI::App& app);
 Verb addInfo(CLI::App& app);
 Verb addCompare(CLI::App& app);
 Verb addRender(CLI::App& app);
+Verb addReport(CLI::App& app);
 Verb addSalvage(CLI::App& app, const std::string& command_line);
 
 }  // namespace fissure

@@ -61,6 +61,18 @@ std::vector<double> rowByRow(std::vector<double> values, const std::vector<hsize
   return ordered;
 }
 
+/// Fills `values` with what lies at `start`, `size` along each axis.
+void readBlock(const h5::Id& dataset, const std::string& name, const std::vector<hsize_t>& start,
+               const std::vector<hsize_t>& size, hid_t type, void* values) {
+  const h5::Id from(H5Dget_space(dataset), H5Sclose, "cannot read", name);
+  if (!size.empty())
+    h5::check(H5Sselect_hyperslab(from, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
+              "cannot read", name);
+  const h5::Id to(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
+                  "cannot read", name);
+  h5::check(H5Dread(dataset, type, to, from, H5P_DEFAULT, values), "cannot read", name);
+}
+
 }  // namespace
 
 struct RunReader::Opened {
@@ -108,15 +120,24 @@ std::vector<double> RunReader::rows(const StoredQuantity& quantity, std::size_t 
   }
   std::vector<double> values(count * quantity.columns());
   if (values.empty()) return values;
-  const h5::Id from(H5Dget_space(dataset), H5Sclose, "cannot read", quantity.name);
-  if (!size.empty())
-    h5::check(H5Sselect_hyperslab(from, H5S_SELECT_SET, start.data(), nullptr, size.data(), nullptr),
-              "cannot read", quantity.name);
-  const h5::Id to(H5Screate_simple(static_cast<int>(size.size()), size.data(), nullptr), H5Sclose,
-                  "cannot read", quantity.name);
-  h5::check(H5Dread(dataset, H5T_NATIVE_DOUBLE, to, from, H5P_DEFAULT, values.data()), "cannot read",
-            quantity.name);
+  readBlock(dataset, quantity.name, start, size, H5T_NATIVE_DOUBLE, values.data());
   return row_axis < size.size() ? rowByRow(std::move(values), size, row_axis) : values;
+} catch (const RunError& error) {
+  throw InputError(path_.string() + ": " + error.what());
+}
+
+Image RunReader::picture(const StoredQuantity& pictures, std::size_t row) const try {
+  const h5::Id dataset = h5::openDataset(opened_->group, pictures.name);
+  std::vector<hsize_t> size = h5::shapeOf(dataset);
+  constexpr hsize_t most_px = 16384;
+  if (size.size() != 4 || size[1] > most_px || size[2] > most_px || size[1] * size[2] == 0 || size[3] != 3 ||
+      row >= size[0])
+    throw RunError(pictures.name + " is no stack of pictures, expected frame_time x image_y x image_x x 3");
+  size[0] = 1;
+  Image image{static_cast<int>(size[2]), static_cast<int>(size[1]), {}};
+  image.rgb.resize(size[1] * size[2] * size[3]);
+  readBlock(dataset, pictures.name, {row, 0, 0, 0}, size, H5T_NATIVE_UCHAR, image.rgb.data());
+  return image;
 } catch (const RunError& error) {
   throw InputError(path_.string() + ": " + error.what());
 }

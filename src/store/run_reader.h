@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "base/image.h"
+
 namespace fissure {
 
 /// One axis of a stored quantity.
@@ -45,6 +47,8 @@ class RunReader {
   /// `count` rows from `first` on, row by row, each in the order of `axes`; missing values are NaN.
   std::vector<double> rows(const StoredQuantity& quantity, std::size_t first, std::size_t count) const;
   std::vector<double> all(const StoredQuantity& quantity) const { return rows(quantity, 0, quantity.rows); }
+  /// One row of a stack of pictures, "frames". Throws InputError too when `pictures` is none.
+  Image picture(const StoredQuantity& pictures, std::size_t row) const;
 
  private:
   struct Opened;

@@ -1,0 +1,176 @@
+#include <algorithm>
+#include <iostream>
+#include <memory>
+#include <vector>
+
+#include "base/error.h"
+#include "main/build_info.h"
+#include "main/exit_codes.h"
+#include "main/output_slot.h"
+#include "main/page_file.h"
+#include "main/verbs.h"
+#include "process/apart.h"
+#include "report/page.h"
+#include "report/page_data.h"
+#include "report/video.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  std::string input;
+  std::string output;
+  std::string video;
+  bool force = false;
+};
+
+std::string program() {
+  return "fissure " + buildInfo().version + " (" + buildInfo().commit.substr(0, 12) + ")";
+}
+
+/// The page of one result. Throws InputError about it, also where HDF5 crashes on it.
+void writeResultPage(const fs::path& result, const fs::path& output, const ReportOptions& options) {
+  const OutputClaim claim(output, options.force);
+  constexpr unsigned long drawing_s = 20;  // pictures, in a build with sanitizers too
+  try {
+    writePageApart(
+        output,
+        [&] {
+          return pageText(
+              resultPage(result, program(), options.video.empty() ? "" : videoUri(options.video)));
+        },
+        patience_s(result) + drawing_s);
+  } catch (const LostApart& lost) {
+    throw InputError(result.string() + ": a damaged file (" + lost.what() + ")");
+  }
+}
+
+/// Files that may be results, below `folder`, by name; not within hidden folders, where unfinished runs live.
+std::vector<fs::path> resultsBelow(const fs::path& folder) {
+  std::vector<fs::path> results;
+  std::error_code error;
+  fs::recursive_directory_iterator entry(folder, error), end;
+  while (!error && entry != end) {
+    const bool hidden = entry->path().filename().string().starts_with('.');
+    if (hidden && entry->is_directory()) entry.disable_recursion_pending();
+    if (!hidden && entry->path().extension() == ".h5" && entry->is_regular_file())
+      results.push_back(entry->path());
+    entry.increment(error);
+  }
+  if (error) throw InputError(folder.string() + ": cannot be read: " + error.message());
+  if (results.empty()) throw InputError(folder.string() + ": holds no result, expected *.h5 files");
+  std::sort(results.begin(), results.end());
+  return results;
+}
+
+bool sameFile(const fs::path& a, const fs::path& b) {
+  std::error_code missing;
+  return fs::equivalent(a, b, missing);
+}
+
+/// Letters, digits and what else needs no escape in the path of a URL.
+std::string linkTo(const fs::path& page) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string link;
+  for (const char c : page.generic_string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 ||
+                                       std::string_view("/-._~").find(c) != std::string_view::npos);
+    if (plain)
+      link += c;
+    else
+      link += {'%', digits[byte / 16], digits[byte % 16]};
+  }
+  return link;
+}
+
+/// The page of a result lies beside the table as the result lies in its folder.
+fs::path pageName(const fs::path& result, const fs::path& folder) {
+  return fs::path(result.lexically_relative(folder)).replace_extension(".html");
+}
+
+FolderEntry reportOne(const fs::path& result, const fs::path& table, const ReportOptions& options) {
+  const fs::path page = pageName(result, options.input);
+  FolderEntry entry;
+  entry.name = result.lexically_relative(options.input).generic_string();
+  try {
+    writeResultPage(result, table.parent_path() / page, options);
+    entry.info = readResultInfo(result);
+    entry.page = linkTo(page);
+  } catch (const InputError& error) {
+    const std::string reason = error.what(), start = result.string() + ": ";
+    entry.problem = reason.starts_with(start) ? reason.substr(start.size()) : reason;
+  }
+  return entry;
+}
+
+/// Nothing is begun that would be refused half-way.
+void checkPages(const std::vector<fs::path>& results, const fs::path& table, const ReportOptions& options) {
+  for (const fs::path& result : results) {
+    const fs::path page = table.parent_path() / pageName(result, options.input);
+    if (sameFile(result, table))
+      throw InputError(table.string() + ": is a result itself, expected another name for the page");
+    if (page.lexically_normal() == table.lexically_normal())
+      throw InputError(table.string() + ": is the page of " + result.string() +
+                       " too, expected another name for the table");
+    if (!options.force && fs::exists(page))
+      throw InputError(page.string() + ": exists already, expected another folder or --force");
+  }
+}
+
+int reportFolder(const ReportOptions& options) {
+  if (!options.video.empty()) throw InputError("--video: is of one result, expected no folder beside it");
+  const fs::path table =
+      options.output.empty() ? fs::path(options.input) / "index.html" : fs::path(options.output);
+  const std::vector<fs::path> results = resultsBelow(options.input);
+  checkPages(results, table, options);
+  const OutputClaim claim(table, options.force);
+  std::vector<FolderEntry> entries;
+  entries.reserve(results.size());
+  for (const fs::path& result : results) entries.push_back(reportOne(result, table, options));
+  const std::string name = fs::canonical(options.input).filename().string();
+  writePageApart(
+      table, [&] { return pageText(folderPage(name, program(), entries)); }, 60);
+  for (const FolderEntry& entry : entries)
+    if (!entry.problem.empty()) std::cout << "no page: " << entry.name << ": " << entry.problem << "\n";
+  std::cout << "page: " << table.string() << "\n";
+  return exit_good;
+}
+
+int reportResult(const ReportOptions& options) {
+  const fs::path output =
+      options.output.empty() ? fs::path(options.input).replace_extension(".html") : fs::path(options.output);
+  if (sameFile(options.input, output))
+    throw InputError(output.string() + ": is the result itself, expected another name for the page");
+  writeResultPage(options.input, output, options);
+  std::cout << "page: " << output.string() << "\n";
+  return exit_good;
+}
+
+}  // namespace
+
+Verb addReport(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command = app.add_subcommand(
+      "report", "one page for a browser that shows a result, or a table of all below a folder");
+  command->add_option("RESULT", options->input, "result file, or a folder with result files below it")
+      ->required()
+      ->check(notEmpty);
+  command
+      ->add_option("-o,--output", options->output,
+                   "page; default: the result's name with .html, or index.html in the folder. The pages of a "
+                   "folder's results lie beside it")
+      ->check(notEmpty);
+  command
+      ->add_option("--video", options->video, "MP4 or WebM file that becomes part of the page, at most 16 MB")
+      ->check(notEmpty);
+  command->add_flag("--force", options->force, "replace existing pages");
+  return {command, [options] {
+            return fs::is_directory(options->input) ? reportFolder(*options) : reportResult(*options);
+          }};
+}
+
+}  // namespace fissure

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string_view>
+
+namespace fissure::assets {
+
+/// The files of report/page and report/vendor, which CMake copies into the program (embed.cmake).
+extern const std::string_view index_html;
+extern const std::string_view page_css;
+extern const std::string_view page_js;
+extern const std::string_view uplot_js;
+extern const std::string_view uplot_css;
+extern const std::string_view uplot_licence;
+
+}  // namespace fissure::assets

@@ -1,0 +1,85 @@
+#include "report/page.h"
+
+#include <map>
+#include <stdexcept>
+#include <string_view>
+
+#include "base/hash.h"
+#include "report/assets.h"
+
+namespace fissure {
+
+namespace {
+
+/// '<' stands in JSON only within strings.
+std::string scriptSafe(const PageJson& data) {
+  const std::string json = data.dump(-1, ' ', false, PageJson::error_handler_t::replace);
+  std::string text;
+  text.reserve(json.size());
+  for (const char c : json) {
+    if (c == '<')
+      text += "\\u003c";
+    else
+      text += c;
+  }
+  return text;
+}
+
+/// `frame` with each {{name}} replaced; what is put in is not looked through again.
+std::string filledIn(std::string_view frame, const std::map<std::string, std::string_view>& values) {
+  std::string text;
+  for (;;) {
+    const std::size_t open = frame.find("{{");
+    text += frame.substr(0, open);
+    if (open == std::string_view::npos) return text;
+    const std::size_t close = frame.find("}}", open);
+    const auto value = values.find(std::string(frame.substr(open + 2, close - open - 2)));
+    if (value == values.end()) throw std::logic_error("the page's frame has an unknown place");
+    text += value->second;
+    frame.remove_prefix(close + 2);
+  }
+}
+
+}  // namespace
+
+std::string escapedHtml(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&':
+        escaped += "&amp;";
+        break;
+      case '<':
+        escaped += "&lt;";
+        break;
+      case '>':
+        escaped += "&gt;";
+        break;
+      case '"':
+        escaped += "&quot;";
+        break;
+      default:
+        escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string pageText(const PageJson& data) {
+  const std::string json = scriptSafe(data);
+  // Through JSON, which replaces invalid UTF-8.
+  const std::string title =
+      PageJson::parse(PageJson(data.at("title")).dump(-1, ' ', false, PageJson::error_handler_t::replace));
+  const std::string shown_title = escapedHtml(title);
+  const std::string nonce = fnv1a64(json);  // known to no text that was written before the page was
+  return filledIn(assets::index_html, {{"title", shown_title},
+                                       {"nonce", nonce},
+                                       {"page_css", assets::page_css},
+                                       {"page_js", assets::page_js},
+                                       {"uplot_css", assets::uplot_css},
+                                       {"uplot_js", assets::uplot_js},
+                                       {"uplot_licence", assets::uplot_licence},
+                                       {"data", json}});
+}
+
+}  // namespace fissure

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+
+namespace fissure {
+
+/// How values of a quantity are shown.
+enum class PlotScale {
+  length,           ///< from metres to mm
+  prefixed,         ///< in the stored unit with the prefix that fits
+  plain,            ///< as stored: counts, degrees
+  relative_percent  ///< change since the first row, in percent of it
+};
+
+/// A quantity that the page plots over time. Of a vector its length is shown, unless `select` is "xyz".
+struct PlotQuantity {
+  const char* dataset;
+  const char* section;
+  const char* title;  ///< {}: the label along `each`
+  PlotScale scale;
+  const char* note = "";
+  const char* each = "";      ///< the axis with one plot for each of its labels
+  const char* select = "";    ///< the axis with a selector
+  bool several_only = false;  ///< only where `each` has several labels
+};
+
+inline constexpr std::array<PlotQuantity, 23> plot_quantities = {{
+    {"penetration_depth", "Penetration", "Penetration depth", PlotScale::length,
+     "deepest tool sample in tissue, or tissue vertex in a tool"},
+    {"stand_off", "Penetration", "Distance between tool and tissue", PlotScale::length,
+     "while nothing penetrates, up to 10 mm"},
+    {"passed_through", "Penetration", "Passed through", PlotScale::plain,
+     "tool samples that went in on one side of the tissue and out on another, since the start"},
+    {"inverted_triangles", "Penetration", "Inverted triangles", PlotScale::plain,
+     "tissue triangles turned inside out or folded over, where depth can hide"},
+    {"force", "Force", "Force on the tools", PlotScale::prefixed, "length of the sum over all tools", "",
+     "law"},
+    {"force_elastic", "Force", "Elastic term", PlotScale::prefixed, "summed over the triangles", "", "law"},
+    {"force_viscous", "Force", "Viscous term", PlotScale::prefixed,
+     "summed over the triangles; negative while tissue springs back", "", "law"},
+    {"adhesion_clamped", "Force", "Clamped triangles", PlotScale::plain,
+     "the law would have pulled there, and was set to 0", "", "law"},
+    {"reaction_force", "Force", "Reaction", PlotScale::prefixed,
+     "what the contacts took from the tissue; no contact force with response: none"},
+    {"tool_force", "Force", "Force on {}", PlotScale::prefixed, "length", "tool", "law", true},
+    {"tool_reaction", "Force", "Reaction on {}", PlotScale::prefixed, "length", "tool", "", true},
+    {"jaw_opening", "Clamps", "Opening of {}", PlotScale::length, "", "clamp"},
+    {"jaw_angle", "Clamps", "Opening of {}", PlotScale::plain, "", "clamp"},
+    {"clamp_force", "Clamps", "Force on both jaws of {}", PlotScale::prefixed, "length of the sum", "clamp",
+     "law"},
+    {"clamp_reaction", "Clamps", "Reaction on both jaws of {}", PlotScale::prefixed, "length of the sum",
+     "clamp"},
+    {"gauge_displacement", "Gauges", "Displacement of {}", PlotScale::length,
+     "mean of the gauge's vertices, since time 0", "gauge", "xyz"},
+    {"contact_count", "Contacts", "Contacts", PlotScale::plain, "that act on the tissue"},
+    {"candidate_count", "Contacts", "Candidates", PlotScale::plain, "contacts that the detector proposed"},
+    {"infeasible_count", "Contacts", "Infeasible contacts", PlotScale::plain,
+     "candidates excluded by their node's partner"},
+    {"capped_count", "Contacts", "Capped contacts", PlotScale::plain,
+     "whose displacement hit the limit of one step"},
+    {"colliding_triangles", "Contacts", "Colliding triangles", PlotScale::plain,
+     "tissue triangles with a vertex in contact"},
+    {"kinetic_energy", "Energy and volume", "Kinetic energy", PlotScale::prefixed,
+     "of the tissue, from the engine's velocities; without meaning with response: none"},
+    {"volume", "Energy and volume", "Volume of {}", PlotScale::relative_percent, "change since time 0",
+     "body"},
+}};
+
+}  // namespace fissure

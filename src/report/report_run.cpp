@@ -1,0 +1,29 @@
+#include "report/report_run.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+namespace fissure {
+
+std::vector<ReportRun> openRuns(const std::filesystem::path& file, const ResultInfo& info) {
+  std::vector<ReportRun> runs;
+  for (const PipelineResult& result : info.pipelines) {
+    ReportRun run{&result, RunReader(file, result.name), {}};
+    if (const StoredQuantity* time = run.reader.find("time")) run.times_s = run.reader.all(*time);
+    runs.push_back(std::move(run));
+  }
+  return runs;
+}
+
+PageJson shortNumber(double value) {
+  if (!std::isfinite(value)) return nullptr;
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.6g", value);
+  const double number = std::strtod(text.data(), nullptr);
+  if (number == std::trunc(number) && std::abs(number) < 1e15) return static_cast<long long>(number);
+  return number;
+}
+
+}  // namespace fissure

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+
+namespace fissure {
+
+/// A page with a larger one is slow to open everywhere.
+inline constexpr std::size_t most_video_bytes = 16000000;
+
+/// An MP4 or WebM file as a data URI, so that the page stays one file. Throws InputError when it is missing,
+/// neither of them, or larger than most_video_bytes.
+std::string videoUri(const std::filesystem::path& file);
+
+}  // namespace fissure
