@@ -22,6 +22,7 @@ struct PlotQuantity {
   const char* each = "";      ///< the axis with one plot for each of its labels
   const char* select = "";    ///< the axis with a selector
   bool several_only = false;  ///< only where `each` has several labels
+  bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
 };
 
 inline constexpr std::array<PlotQuantity, 23> plot_quantities = {{
@@ -61,7 +62,7 @@ inline constexpr std::array<PlotQuantity, 23> plot_quantities = {{
     {"colliding_triangles", "Contacts", "Colliding triangles", PlotScale::plain,
      "tissue triangles with a vertex in contact"},
     {"kinetic_energy", "Energy and volume", "Kinetic energy", PlotScale::prefixed,
-     "of the tissue, from the engine's velocities; without meaning with response: none"},
+     "of the tissue, from the engine's velocities; without meaning with response: none", "", "", false, true},
     {"volume", "Energy and volume", "Volume of {}", PlotScale::relative_percent, "change since time 0",
      "body"},
 }};

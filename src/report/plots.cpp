@@ -163,7 +163,6 @@ struct Content {
   std::vector<std::vector<Curve>> variants;
   std::vector<std::size_t> missing;  ///< runs without any value
   double largest = 0;
-  bool negative = false;
   std::size_t preferred = 0;  ///< the variant that moves most
 };
 
@@ -179,7 +178,6 @@ Content readContent(const std::vector<ReportRun>& runs, const Plot& plot, std::s
       for (const double value : curve.points.values) {
         any = any || std::isfinite(value);
         if (std::isfinite(value)) width = std::max(width, std::abs(value));
-        content.negative = content.negative || value < 0;
       }
       content.largest = std::max(content.largest, width);
       if (width > widest) content.preferred = v;
@@ -191,6 +189,20 @@ Content readContent(const std::vector<ReportRun>& runs, const Plot& plot, std::s
     }
   }
   return content;
+}
+
+/// Whether a common linear axis would hide the smaller runs.
+bool areFarApart(const std::vector<Curve>& curves) {
+  constexpr double far = 1000;
+  double smallest = INFINITY, largest = 0;
+  for (const Curve& curve : curves) {
+    double most = 0;
+    for (const double value : curve.points.values)
+      if (value > most) most = value;
+    smallest = std::min(smallest, most);
+    largest = std::max(largest, most);
+  }
+  return smallest > 0 && largest > far * smallest;
 }
 
 std::string titleOf(const Plot& plot) {
@@ -218,6 +230,7 @@ PageJson plotJson(const Plot& plot, const Content& content) {
           {"note", quantity.note},
           {"unit", unit.name},
           {"from_zero", quantity.scale != PlotScale::relative_percent},
+          {"far_apart", quantity.may_be_log && areFarApart(content.variants.front())},
           {"select", quantity.select},
           {"preferred", by_axis ? content.preferred : 0},
           {"constant_zero", zero},

@@ -60,7 +60,7 @@ function section(title, ...children) {
 function short(value) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–';
   const size = Math.abs(value);
-  if (size !== 0 && (size >= 1e7 || size < 1e-4)) return value.toExponential(2).replace('e+', 'e');
+  if (size !== 0 && (size >= 1e7 || size < 1e-3)) return String(Number(value.toPrecision(3)).toExponential()).replace('e+', 'e');
   const text = size >= 1000 ? value.toFixed(0) : String(Number(value.toPrecision(4)));
   return size >= 10000 ? text.replace(/\B(?=(\d{3})+$)/g, '\u2009') : text;
 }
@@ -89,15 +89,17 @@ const plots = [];       // of series over time, drawn now
 const listeners = [];   // called with the time
 let moving = false;     // while plots are told of a new time
 
+function placeCursor(chart) {
+  const left = chart.valToPos(state.time, 'x');
+  const inside = left >= 0 && left <= chart.bbox.width / devicePixelRatio;
+  moving = true;
+  chart.setCursor(inside ? {left, top: 0} : {left: -10, top: -10}, false);
+  moving = false;
+}
+
 function setTime(time) {
   state.time = Math.min(last_s, Math.max(first_s, time));
-  moving = true;
-  for (const {chart} of plots) {
-    const left = chart.valToPos(state.time, 'x');
-    const inside = left >= 0 && left <= chart.over.clientWidth;
-    chart.setCursor(inside ? {left, top: 0} : {left: -10, top: -10}, false);
-  }
-  moving = false;
+  for (const {chart} of plots) placeCursor(chart);
   for (const listener of listeners) listener(state.time);
 }
 
@@ -111,7 +113,6 @@ function setSpan(span) {
   state.span = span;
   for (const {chart} of plots) chart.setScale('x', {min: span ? span[0] : first_s, max: span ? span[1] : last_s});
   for (const button of document.querySelectorAll('.whole')) button.hidden = !span;
-  setTime(state.time);
 }
 
 function setHidden(run, hide) {
@@ -130,8 +131,9 @@ function setHidden(run, hide) {
 
 const stepPlots = [];
 
+// A gap of one run goes on where only others have points (2: uPlot's NULL_EXPAND).
 function joined(tables) {
-  return tables.length === 1 ? tables[0] : uPlot.join(tables);
+  return tables.length === 1 ? tables[0] : uPlot.join(tables, tables.map(() => [2, 2]));
 }
 
 function pointsOf(series, log) {
@@ -168,7 +170,7 @@ function seriesOptions(runs, value) {
     dash: styleOf(run).dash,
     width: 2,
     show: !state.hidden.has(run),
-    points: {show: (chart, index) => chart.data[index].filter(v => v !== undefined && v !== null).length < 3},
+    points: {show: (chart, index) => chart.data[index].filter(v => v !== undefined && v !== null).length < 2},
     value: (chart, v) => value(v),
   }));
 }
@@ -211,6 +213,7 @@ function drawTimePlot(plot, holder, log) {
   };
   options.axes = axes('time, s', (chart, marks) => marks.map(mark => mark === null ? '' : short(mark)),
     {values: (chart, marks) => marks.map(short), space: 60});
+  if (log) Object.assign(options.axes[1], {splits: (chart, axis, min, max) => valueMarks(min, max), filter: (chart, marks) => marks});
   options.series = [{label: 'Time', value: (chart, v) => v === null ? '–' : timeText(v)},
     ...seriesOptions(runs, v => withUnit(v, plot.unit))];
   options.cursor = {
@@ -223,6 +226,8 @@ function drawTimePlot(plot, holder, log) {
       dblclick: () => () => setSpan(null),
     },
   };
+  // uPlot moves, scales and sizes a chart later than it is told to.
+  options.hooks.ready = options.hooks.setSize = options.hooks.setScale = [placeCursor];
   options.hooks.setCursor = [chart => {
     if (!moving && chart.cursor.left >= 0) setTimeSoon(chart.posToVal(chart.cursor.left, 'x'));
   }];
@@ -254,7 +259,7 @@ function timePlot(plot) {
   const choice = element('span', {class: 'soft'});
   const negative = plot.variants.some(variant => variant.series.some(one => one.values.some(v => v < 0)));
   let entry = null;
-  let log = false;
+  let log = plot.far_apart;
   const redraw = () => {
     if (entry) {
       entry.chart.destroy();
@@ -262,13 +267,14 @@ function timePlot(plot) {
     }
     const index = Math.min(state.chosen[plot.select] ?? 0, plot.variants.length - 1);
     choice.textContent = plot.select ? plot.variants[index].label : '';
-    entry = drawTimePlot(plot, holder, log);
+    const any = plot.variants[index].series.length > 0;
+    entry = any ? drawTimePlot(plot, holder, log) : null;
+    holder.classList.toggle('empty', !any);
   };
-  const button = negative ? null : element('button', {type: 'button', 'aria-pressed': 'false', title: 'logarithmic axis', onclick: () => {
+  const button = negative ? null : element('button', {type: 'button', 'aria-pressed': String(log), title: 'logarithmic axis', onclick: () => {
     log = !log;
     button.setAttribute('aria-pressed', String(log));
     redraw();
-    setTime(state.time);
   }}, 'log');
   const missing = plot.missing.length === 0 ? null
     : element('span', {class: 'note'}, 'No values of ' + plot.missing.map(run => data.runs[run].name).join(', ') + '.');
@@ -298,10 +304,27 @@ function microseconds(value) {
   return value >= 1e6 ? short(value / 1e6) + ' s' : value >= 1000 ? short(value / 1000) + ' ms' : short(value) + ' µs';
 }
 
+// 1, 2, ... 9 of each power of ten.
+function logMarks(min, max) {
+  const marks = [];
+  for (let power = Math.floor(Math.log10(min)); power <= Math.log10(max); ++power)
+    for (let digit = 1; digit < 10; ++digit) marks.push(Number(digit + 'e' + power));
+  return marks.filter(mark => mark >= min && mark <= max);
+}
+
+// Of a logarithmic value axis: powers of ten alone, and not all of very many.
+function valueMarks(min, max) {
+  const marks = logMarks(min, max), powers = marks.filter(mark => Number.isInteger(Math.log10(mark)));
+  if (powers.length < 3) return marks.filter(mark => /^[125]/.test(mark.toExponential()));
+  const skip = Math.ceil(powers.length / 7);
+  return powers.filter((mark, index) => index % skip === 0);
+}
+
 function drawBudget(chart) {
   const x = Math.round(chart.valToPos(data.step_times.budget_us, 'x', true));
   const {top, height} = chart.bbox, context = chart.ctx, ratio = devicePixelRatio;
   context.save();
+  context.setLineDash([]);
   context.strokeStyle = context.fillStyle = '#a3250f';
   context.lineWidth = 2 * ratio;
   context.beginPath();
@@ -324,9 +347,9 @@ function drawStepTimes(holder) {
       [Math.min(min, 300) / 1.2, Math.max(max, data.step_times.budget_us) * 1.5]},
     y: {range: () => [0, 102]},
   };
-  const decades = mark => mark !== null && Math.abs(Math.log10(mark) % 1) < 1e-9;
   options.axes = axes('time of a step', (chart, marks) => marks.map(mark => mark + ' %'), {
-    values: (chart, marks) => marks.map(mark => decades(mark) ? microseconds(mark) : ''),
+    splits: (chart, axis, min, max) => logMarks(min, max),
+    values: (chart, marks) => marks.map(mark => Number.isInteger(Math.log10(mark)) ? microseconds(mark) : ''),
     filter: (chart, marks) => marks,
   });
   options.series = [{label: 'Within', value: (chart, v) => microseconds(v)},
@@ -452,7 +475,6 @@ function selector(axis, label) {
       const about = data.plots.find(known => known.id === one.dataset.plot);
       if (about && about.select === axis) one.redraw();
     }
-    setTime(state.time);
   }}, ...plot.variants.map((variant, index) => element('option', {selected: index === plot.preferred}, variant.label)));
   return element('label', {}, label, select);
 }
@@ -461,14 +483,16 @@ function controls() {
   const bar = element('div', {class: 'controls', role: 'group', 'aria-label': 'time and choices'});
   if (withRows.length) bar.append(timeControls());
   for (const made of [selector('law', 'Force law '), selector('xyz', 'Direction ')]) if (made) bar.append(made);
+  const runs = element('span', {class: 'runs'});
   for (const run of withRows) {
     const box = element('input', {type: 'checkbox', checked: true, 'data-run': run, onchange: () => setHidden(run, !box.checked)});
-    bar.append(element('label', {}, box, runLabel(run)));
+    runs.append(element('label', {}, box, runLabel(run)));
   }
+  if (withRows.length > 1) bar.append(runs);
   const whole = element('button', {type: 'button', class: 'whole', onclick: () => setSpan(null)}, 'Whole time');
   whole.hidden = true;
   bar.append(whole);
-  if (bar.children.length > 1) page.append(bar);
+  if (withRows.length) page.append(bar);
 }
 
 // ---- texts and tables
@@ -584,7 +608,6 @@ function fitPlots(width) {
     const size = {width: width || Math.max(200, holder.clientWidth), height: chartHeight()};
     if (size.width !== chart.width || size.height !== chart.height) chart.setSize(size);
   }
-  setTime(state.time);
 }
 
 function result() {
@@ -606,7 +629,7 @@ function result() {
   setTime(worstTime());
   let width = innerWidth;
   addEventListener('resize', () => { if (innerWidth !== width) { width = innerWidth; fitPlots(); } });
-  addEventListener('beforeprint', () => fitPlots(660));
+  addEventListener('beforeprint', () => fitPlots(335));  // two on A4 and on Letter
   addEventListener('afterprint', () => fitPlots());
 }
 
