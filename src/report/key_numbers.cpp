@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <string>
 
+#include "compare/compare_runs.h"
 #include "compare/expectations.h"
 #include "report/summary_values.h"
 #include "scenario/scalars.h"
@@ -33,7 +34,8 @@ std::string numberText(double value, const char* format) {
 PageJson cell(const Row& row, const PipelineResult& run) {
   const SummaryValue* value = findValue(run.summary, row.name);
   const auto number = value ? numberOf(*value) : std::nullopt;
-  if (!number) return {{"text", "–"}, {"bad", false}};
+  if (!number || (std::isnan(*number) && mayBeMissing("summary/" + row.name)))
+    return {{"text", "–"}, {"bad", false}};
   return {{"text", numberText(*number * row.scale, row.format)},
           {"bad", std::isnan(*number) || (row.should_be_zero && *number != 0)}};
 }

@@ -118,8 +118,8 @@ std::vector<Warning> warningsOf(const ReportRun& run) {
   std::vector<Warning> warnings;
   const PipelineResult& result = *run.result;
   if (result.status.status != "ok")
-    warnings.push_back({true, "the run is " + result.status.status +
-                                  (result.status.detail.empty() ? "" : ": " + result.status.detail)});
+    warnings.push_back(
+        {true, result.status.status + (result.status.detail.empty() ? "" : ": " + result.status.detail)});
   if (run.times_s.empty()) warnings.push_back({true, "it left no series: nothing of it can be plotted"});
   addForces(result.summary, warnings);
   addCounted(result.summary, warnings);

@@ -21,6 +21,7 @@ TEST(Verbs, HelpAndVersionAreGood) {
                                                                                      {"info", "--help"},
                                                                                      {"salvage", "--help"},
                                                                                      {"compare", "--help"},
+                                                                                     {"report", "--help"},
                                                                                      {"--version"}}) {
     const Outcome outcome = runFissure(folder, words);
     EXPECT_EQ(outcome.code, 0);

@@ -115,7 +115,7 @@ TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true), crashed), "fissure test", "");
   ASSERT_FALSE(page["warnings"].empty());
   EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 steps is no number");
-  EXPECT_TRUE(hasWarning(page, "the run is crashed: killed by signal 11 at step 3", true));
+  EXPECT_TRUE(hasWarning(page, "crashed: killed by signal 11 at step 3", true));
   EXPECT_TRUE(hasWarning(page, "it left no series", true));
   EXPECT_EQ(page["runs"][1]["status"], "crashed");
   EXPECT_EQ(page["runs"][1]["times"]["count"], 0);

@@ -212,7 +212,7 @@ function drawTimePlot(plot, holder, log) {
     y: yScale(plot, log),
   };
   options.axes = axes('time, s', (chart, marks) => marks.map(mark => mark === null ? '' : short(mark)),
-    {values: (chart, marks) => marks.map(short), space: 60});
+    {values: (chart, marks) => marks.map(mark => String(Number(mark.toPrecision(6)))), space: 60});
   if (log) Object.assign(options.axes[1], {splits: (chart, axis, min, max) => valueMarks(min, max), filter: (chart, marks) => marks});
   options.series = [{label: 'Time', value: (chart, v) => v === null ? '–' : timeText(v)},
     ...seriesOptions(runs, v => withUnit(v, plot.unit))];
@@ -344,7 +344,7 @@ function drawStepTimes(holder) {
   const options = commonOptions(holder, runs);
   options.scales = {
     x: {time: false, distr: 3, range: (chart, min, max) =>
-      [Math.min(min, 300) / 1.2, Math.max(max, data.step_times.budget_us) * 1.5]},
+      [Math.min(min, 95) / 1.2, Math.max(max, data.step_times.budget_us) * 1.5]},
     y: {range: () => [0, 102]},
   };
   options.axes = axes('time of a step', (chart, marks) => marks.map(mark => mark + ' %'), {
@@ -574,11 +574,11 @@ function footer() {
 function folderRows(result) {
   const name = result.page ? element('a', {href: result.page}, result.name) : result.name;
   if (result.problem) return [element('tr', {}, element('th', {scope: 'row'}, name),
-    element('td', {class: 'bad', colspan: data.columns.length + 2}, result.problem))];
+    element('td', {class: 'problem', colspan: data.columns.length + 2}, result.problem))];
   const rows = result.runs.map((run, index) => element('tr', {},
     index > 0 ? null : element('th', {scope: 'row', rowspan: result.runs.length}, name, element('br'), element('span', {class: 'soft'}, result.title)),
-    element('td', {}, run.name),
-    element('td', {class: run.status === 'ok' ? 'good' : 'bad'}, run.status),
+    element('td', {class: 'left'}, run.name),
+    element('td', {class: run.status === 'ok' ? 'left good' : 'left bad'}, run.status),
     ...result.numbers[index].map(cell => element('td', {class: cell.bad ? 'bad' : ''}, cell.text))));
   return rows.length ? rows : [element('tr', {}, element('th', {scope: 'row'}, name), element('td', {colspan: data.columns.length + 2}, 'no run'))];
 }

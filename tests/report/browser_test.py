@@ -1,0 +1,197 @@
+"""Report pages in headless Chromium, at desktop and phone width: browser_test.py FISSURE [--keep FOLDER]
+
+No message on the console, nothing wider than the window, every plot drawn, and one time for plots, frames and keys.
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+import time
+
+from selenium import webdriver
+from selenium.webdriver.chrome.options import Options
+from selenium.webdriver.chrome.service import Service
+
+EVIL = "</script><img src=x onerror=\"document.title='evil'\"><b>bold</b>"
+
+# A blade pressed into a soft sphere: two runs with frames, two force laws; text that would like to be markup.
+SCENARIO = """
+format: 1
+name: press
+description: '""" + EVIL.replace("'", "''") + """'
+time: {step_s: 0.001, settle_s: 0.005, duration_s: 0.04}
+ground: {height_m: 0}
+bodies:
+  - name: sphere
+    shape: {type: sphere, radius_m: 0.03, subdivisions: 1}
+    position_m: [0, 0.03, 0]
+    mass_kg: 0.1
+    material: {linear_stiffness: 0.5}
+    solver: {pose_matching: 0.02, damping: 0.01, dynamic_friction: 0.5, position_iterations: 10}
+tools:
+  - name: spatula
+    shape: {type: box, size_m: [0.04, 0.002, 0.015]}
+    nodes: {resolution: [4, 4]}
+    motion: {type: script, start_m: [0, 0.062, 0], segments: [{move_to_m: [0, 0.052, 0], speed_m_s: 0.5}]}
+pipelines: [{pipeline: default}, {pipeline: fukuhara}]
+force: [{name: hc, model: hunt_crossley}, {name: linear, model: linear_elastic}]
+record: {frames: {every_s: 0.01, size_px: [160, 120]}}
+"""
+
+# Of each plot's canvas: how many of its pixels are not white.
+INK = """
+return [...document.querySelectorAll('.plot')].map(plot => {
+  const canvas = plot.querySelector('canvas');
+  if (!canvas) return [plot.dataset.plot, -1];
+  const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+  let ink = 0;
+  for (let i = 3; i < pixels.length; i += 4) ink += pixels[i] > 0;
+  return [plot.dataset.plot, ink];
+});
+"""
+SHOWN = """
+const depth = document.querySelector('[data-plot=penetration_depth]');
+return {
+  time: document.querySelector('.controls output').textContent,
+  slider: Number(document.getElementById('time').value),
+  frames: [...document.querySelectorAll('.frames img')].map(one => Number(one.dataset.frame)),
+  loaded: [...document.querySelectorAll('.frames img')].every(one => one.complete && one.naturalWidth === 160),
+  cursors: [...document.querySelectorAll('.plot:not([data-plot=step_time]) .u-cursor-x')].map(one => one.style.transform),
+  values: [...depth.querySelectorAll('.u-value')].map(one => one.textContent),
+  title: document.title,
+};
+"""
+SET_SLIDER = "const s = document.getElementById('time'); s.value = arguments[0]; s.dispatchEvent(new Event('input'));"
+PRESS = """document.body.dispatchEvent(new KeyboardEvent('keydown',
+  {key: arguments[0], shiftKey: arguments[1], bubbles: true, cancelable: true}));"""
+
+problems = []
+
+
+def check(holds, what):
+    if not holds:
+        problems.append(what)
+
+
+def browser():
+    options = Options()
+    for argument in ["--headless=new", "--no-sandbox", "--disable-gpu", "--disable-dev-shm-usage"]:
+        options.add_argument(argument)
+    options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
+    return webdriver.Chrome(service=Service("/usr/bin/chromedriver"), options=options)
+
+
+def open_at(driver, page, width):
+    metrics = {"width": width, "height": 800, "deviceScaleFactor": 1, "mobile": width < 600}
+    driver.execute_cdp_cmd("Emulation.setDeviceMetricsOverride", metrics)
+    driver.get(page.as_uri())
+    time.sleep(0.3)  # the page draws when it has its first frame
+
+
+def check_width_and_console(driver, where):
+    wide, window = driver.execute_script("return [document.documentElement.scrollWidth, innerWidth]")
+    check(wide <= window, f"{where}: {wide} px wide in a window of {window} px")
+    for entry in driver.get_log("browser"):
+        problems.append(f"{where}: console: {entry['level']} {entry['message']}")
+
+
+def check_moves(driver, where):
+    """0.04 s of steps of 1 ms, frames at 0, 10, 20, 30, 40 ms."""
+    driver.execute_script(SET_SLIDER, 0.012)
+    early = driver.execute_script(SHOWN)
+    check(early["time"] == "0.012 s" and early["frames"] == [1, 1], f"{where}: slider: {early}")
+    driver.execute_script(PRESS, "ArrowRight", False)
+    late = driver.execute_script(SHOWN)
+    check(late["time"] == "0.020 s" and late["frames"] == [2, 2], f"{where}: arrow: {late}")
+    check(late["loaded"], f"{where}: pictures not loaded")
+    check(all(a != b for a, b in zip(early["cursors"], late["cursors"])), f"{where}: cursors stay: {late['cursors']}")
+    check(late["values"] != early["values"] and all(" mm" in v for v in late["values"][1:]), f"{where}: values {late}")
+    driver.execute_script(PRESS, "ArrowLeft", True)
+    check(driver.execute_script(SHOWN)["time"] == "0.019 s", f"{where}: shift and arrow")
+
+
+def check_mouse(driver, where):
+    """A pointer over one plot moves the time of all."""
+    before = driver.execute_script(SHOWN)
+    over = driver.execute_script(
+        "const o = document.querySelector('[data-plot=contact_count] .u-over'); o.scrollIntoView({block: 'center'});"
+        "const r = o.getBoundingClientRect(); return [r.left + r.width * 0.75, r.top + r.height / 2]")
+    driver.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": "mouseMoved", "x": over[0], "y": over[1]})
+    time.sleep(0.2)
+    after = driver.execute_script(SHOWN)
+    check(abs(after["slider"] - 0.03) < 0.0015 and after["frames"] != before["frames"], f"{where}: mouse: {after}")
+
+
+def check_laws(driver, where):
+    texts = []
+    for law in (1, 0):
+        driver.execute_script("const s = document.querySelector('select[data-select=law]'); s.selectedIndex = arguments[0];"
+                              "s.dispatchEvent(new Event('change'));", law)
+        time.sleep(0.2)
+        texts.append(driver.execute_script("return document.querySelector('[data-plot=force]').innerText"))
+    check("linear" in texts[0] and "hc" in texts[1] and texts[0] != texts[1], f"{where}: laws: {texts}")
+
+
+def check_result_page(driver, page, width, keep):
+    where = f"{page.name} at {width} px"
+    open_at(driver, page, width)
+    ink = driver.execute_script(INK)
+    check(len(ink) >= 8, f"{where}: plots {ink}")
+    for plot, pixels in ink:
+        check(pixels > 1000, f"{where}: plot {plot} is empty: {pixels}")
+    check_moves(driver, where)
+    check_laws(driver, where)
+    if width > 600:
+        check_mouse(driver, where)
+    text = driver.execute_script("return document.body.innerText")
+    check(EVIL in text, f"{where}: the description is not shown as text")
+    check(driver.title == "press – fissure", f"{where}: title {driver.title}")
+    check_width_and_console(driver, where)
+    if keep:
+        driver.save_screenshot(str(pathlib.Path(keep) / f"{page.stem}_{width}.png"))
+
+
+def check_folder_page(driver, page, width):
+    where = f"{page.name} at {width} px"
+    open_at(driver, page, width)
+    links = driver.execute_script("return [...document.querySelectorAll('a')].map(a => [a.textContent, a.href])")
+    check([text for text, _ in links] == ["press.h5"], f"{where}: links {links}")
+    text = driver.execute_script("return document.body.innerText")
+    check("not an HDF5 file" in text, f"{where}: the damaged file is not named")
+    check_width_and_console(driver, where)
+    driver.get(links[0][1])
+    check(driver.title == "press – fissure", f"{where}: the link leads to {driver.title}")
+
+
+def make_pages(program, folder):
+    (folder / "press.yaml").write_text(SCENARIO)
+    (folder / "results").mkdir()
+    (folder / "results" / "broken.h5").write_text("no result")
+    for words in [["run", "press.yaml", "-o", "results/press.h5"], ["report", "results/press.h5", "-o", "page.html"],
+                  ["report", "results", "-o", "index.html"]]:
+        subprocess.run([program, *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("program")
+    parser.add_argument("--keep", help="folder for screenshots")
+    arguments = parser.parse_args()
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        make_pages(str(pathlib.Path(arguments.program).resolve()), folder)
+        driver = browser()
+        try:
+            for width in (1280, 375):
+                check_result_page(driver, folder / "page.html", width, arguments.keep)
+                check_folder_page(driver, folder / "index.html", width)
+        finally:
+            driver.quit()
+    for problem in problems:
+        print(problem)
+    sys.exit(1 if problems else 0)
+
+
+if __name__ == "__main__":
+    main()
