@@ -14,10 +14,10 @@ enum class PlotScale {
 
 /// A quantity that the page plots over time. Of a vector its length is shown, unless `select` is "xyz".
 struct PlotQuantity {
-  const char* dataset;
-  const char* section;
-  const char* title;  ///< {}: the label along `each`
-  PlotScale scale;
+  const char* dataset = "";
+  const char* section = "";
+  const char* title = "";  ///< {}: the label along `each`
+  PlotScale scale = PlotScale::plain;
   const char* note = "";
   const char* each = "";      ///< the axis with one plot for each of its labels
   const char* select = "";    ///< the axis with a selector

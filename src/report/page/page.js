@@ -220,7 +220,7 @@ function drawTimePlot(plot, holder, log) {
     y: false,
     drag: {x: true, y: false, setScale: false},
     dataIdx: nearestPoint,
-    points: {size: 7},
+    points: {show: false},  // where equal values were dropped, the nearest point is far from the cursor
     bind: {
       mouseleave: () => null,
       dblclick: () => () => setSpan(null),
@@ -354,7 +354,7 @@ function drawStepTimes(holder) {
   });
   options.series = [{label: 'Within', value: (chart, v) => microseconds(v)},
     ...seriesOptions(runs, v => v === null || v === undefined ? '–' : v.toFixed(1) + ' %')];
-  options.cursor = {y: false, drag: {x: false, y: false}, dataIdx: nearestPoint, points: {size: 7}};
+  options.cursor = {y: false, drag: {x: false, y: false}, dataIdx: nearestPoint, points: {show: false}};
   options.hooks.draw = [drawBudget];
   holder.setAttribute('aria-label', 'Share of steps by the time they took: ' +
     all.map(one => data.runs[one.run].name + ' half within ' + microseconds(one.p50_us) + ', 99 % within ' + microseconds(one.p99_us)).join('; '));
