@@ -76,6 +76,13 @@ PageJson encodeAll(const std::vector<ReportRun>& runs, const std::vector<Chosen>
   return json;
 }
 
+/// Whether pictures are narrower than they were stored.
+bool isSmaller(const std::vector<Chosen>& all, const Encoding& encoding) {
+  return std::any_of(all.begin(), all.end(), [&](const Chosen& chosen) {
+    return chosen.pictures->axes.at(1).length > static_cast<std::size_t>(encoding.width_px);
+  });
+}
+
 /// The best encoding that seems to fit, from `first` on; the smallest where none does.
 std::size_t chooseEncoding(const std::vector<ReportRun>& runs, const std::vector<Chosen>& all,
                            std::size_t first, std::size_t most_bytes) {
@@ -116,7 +123,7 @@ PageJson framesJson(const std::vector<ReportRun>& runs, std::size_t most_bytes) 
       if (bytes <= most_bytes || (each == 2 && encoding + 1 == encodings.size()))
         return {{"stored", stored},
                 {"shown", shown},
-                {"most_width_px", encodings[encoding].width_px},
+                {"smaller", isSmaller(all, encodings[encoding])},
                 {"runs", std::move(encoded)}};
     }
     --encoding;

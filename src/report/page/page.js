@@ -196,7 +196,8 @@ function yScale(plot, log) {
   return {range: (chart, min, max) => {
     if (min === null || min === undefined) return [0, 1];
     if (plot.from_zero) { min = Math.min(0, min); max = Math.max(0, max); }
-    const margin = (max - min || Math.abs(max) || 1) * 0.06;
+    if (min === 0 && max === 0) return [0, 1];
+    const margin = (max - min || Math.abs(max)) * 0.06;
     return [plot.from_zero && min === 0 ? 0 : min - margin, plot.from_zero && max === 0 ? 0 : max + margin];
   }};
 }
@@ -279,8 +280,8 @@ function timePlot(plot) {
   const missing = plot.missing.length === 0 ? null
     : element('span', {class: 'note'}, 'No values of ' + plot.missing.map(run => data.runs[run].name).join(', ') + '.');
   const figure = element('figure', {class: 'plot', 'data-plot': plot.id},
-    element('figcaption', {}, element('h3', {}, plot.title + (plot.unit ? ', ' + plot.unit : '')), choice,
-      element('span', {class: 'spring'}), button, plot.note ? element('span', {class: 'note'}, plot.note) : null, missing),
+    element('figcaption', {}, element('h3', {}, plot.title + (plot.unit ? ', ' + plot.unit : '')), choice, button,
+      plot.note ? element('span', {class: 'note'}, plot.note) : null, missing),
     holder);
   figure.redraw = redraw;
   return figure;
@@ -342,6 +343,7 @@ function drawStepTimes(holder) {
   const all = data.step_times.runs;
   const runs = all.map(one => one.run);
   const options = commonOptions(holder, runs);
+  options.padding = [10, 24, 0, 0];
   options.scales = {
     x: {time: false, distr: 3, range: (chart, min, max) =>
       [Math.min(min, 95) / 1.2, Math.max(max, data.step_times.budget_us) * 1.5]},
@@ -375,7 +377,7 @@ function stepTimeSection() {
     element('td', {class: one.over_budget > 0 ? 'bad' : ''},
       one.over_budget + ' (' + (100 * one.over_budget / one.steps).toPrecision(2) * 1 + ' %)'),
     element('td', {}, String(one.steps))));
-  section('Step time', element('div', {class: 'plots'},
+  section('Step time', element('div', {class: 'plots wide'},
     element('figure', {class: 'plot', 'data-plot': 'step_time'},
       element('figcaption', {}, element('h3', {}, 'Steps within a time, %'),
         element('span', {class: 'note'}, 'wall time of a step without measuring and writing; the line is the 1 ms that a haptic loop has')),
@@ -406,7 +408,7 @@ function frameSection() {
   }
   const thinned = frames.shown < frames.stored
     ? ' ' + frames.shown + ' of the ' + frames.stored + ' stored frames are shown here, evenly spread.' : '';
-  section('Frames', element('p', {class: 'soft'}, 'The last frame up to the time of the cursor. Pictures are compressed.' + thinned), grid);
+  section('Frames', element('p', {class: 'soft'}, 'The last frame up to the time of the cursor. Pictures are compressed' + (frames.smaller ? ' and smaller than stored.' : '.') + thinned), grid);
 }
 
 // ---- controls
