@@ -7,6 +7,8 @@ namespace fissure::assets {
 /// The files of report/page and report/vendor, which CMake copies into the program (embed.cmake).
 extern const std::string_view index_html;
 extern const std::string_view page_css;
+extern const std::string_view shared_js;
+extern const std::string_view plots_js;
 extern const std::string_view page_js;
 extern const std::string_view uplot_js;
 extern const std::string_view uplot_css;

@@ -75,6 +75,8 @@ std::string pageText(const PageJson& data) {
   return filledIn(assets::index_html, {{"title", shown_title},
                                        {"nonce", nonce},
                                        {"page_css", assets::page_css},
+                                       {"shared_js", assets::shared_js},
+                                       {"plots_js", assets::plots_js},
                                        {"page_js", assets::page_js},
                                        {"uplot_css", assets::uplot_css},
                                        {"uplot_js", assets::uplot_js},
