@@ -54,6 +54,7 @@ int start(int argc, char** argv) {
                                    addCompare(app),
                                    addRender(app),
                                    addReport(app),
+                                   addExport(app),
                                    addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);

@@ -27,5 +27,6 @@ Verb addCompare(CLI::App& app);
 Verb addRender(CLI::App& app);
 Verb addReport(CLI::App& app);
 Verb addSalvage(CLI::App& app, const std::string& command_line);
+Verb addExport(CLI::App& app);
 
 }  // namespace fissure

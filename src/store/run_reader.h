@@ -39,6 +39,7 @@ class RunReader {
   RunReader(RunReader&&) noexcept;
   ~RunReader();
 
+  const std::filesystem::path& file() const { return path_; }
   /// In the order of the file.
   const std::vector<StoredQuantity>& quantities() const { return quantities_; }
   /// Of that name; null when there is none.

@@ -20,6 +20,7 @@ TEST(Verbs, HelpAndVersionAreGood) {
                                                                                      {"list", "--help"},
                                                                                      {"info", "--help"},
                                                                                      {"salvage", "--help"},
+                                                                                     {"export", "--help"},
                                                                                      {"compare", "--help"},
                                                                                      {"report", "--help"},
                                                                                      {"--version"}}) {

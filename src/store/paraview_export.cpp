@@ -1,0 +1,91 @@
+#include "store/paraview_export.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <memory>
+
+#include "base/error.h"
+#include "store/replacement_file.h"
+#include "store/vtk_file.h"
+#include "store/xdmf.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<const char*, 3> mesh_names = {"tissue", "tools", "nodes"};
+
+std::string meshFile(const std::string& run, const std::string& mesh) {
+  return run + "." + mesh + ".vtkhdf";
+}
+
+void writeText(const fs::path& target, const std::string& text) {
+  const fs::path temporary = ReplacementFile::temporaryName(target, ::getpid(), 0);
+  errno = 0;
+  std::ofstream out(temporary, std::ios::binary);
+  out << text;
+  out.close();
+  std::error_code error;
+  if (!out) {
+    error = {errno == 0 ? EIO : errno, std::generic_category()};
+  } else {
+    fs::rename(temporary, target, error);
+  }
+  if (!error) return;
+  std::error_code ignored;
+  fs::remove(temporary, ignored);
+  throw RunError("cannot write: " + error.message());
+}
+
+std::unique_ptr<ReplacementFile> writeMesh(const fs::path& target, const MovingMesh& mesh,
+                                           const std::vector<double>& times_s) {
+  auto replacement = std::make_unique<ReplacementFile>(target);
+  writeVtkFile(replacement->file(), mesh, times_s);
+  replacement->close();
+  return replacement;
+}
+
+}  // namespace
+
+std::vector<std::string> exportNames(const std::string& run, const MovingMeshes& meshes) {
+  std::vector<std::string> names;
+  for (const MovingMesh& mesh : meshes.meshes) names.push_back(meshFile(run, mesh.name));
+  names.push_back(run + ".xdmf");
+  return names;
+}
+
+void exportRun(const fs::path& folder, const std::string& run, const MovingMeshes& meshes) {
+  std::vector<std::string> files = exportNames(run, meshes);
+  const std::string document = files.back();
+  files.pop_back();
+  std::string file;
+  try {
+    std::vector<std::unique_ptr<ReplacementFile>> replacements;
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      file = files[i];
+      replacements.push_back(writeMesh(folder / file, meshes.meshes[i], meshes.times_s));
+    }
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      file = files[i];
+      replacements[i]->commit();
+    }
+    file = document;
+    writeText(folder / file, xdmfText(meshes, files));
+  } catch (const RunError& error) {
+    throw RunError((folder / file).string() + ": " + error.what());
+  }
+  std::error_code ignored;
+  for (const char* mesh : mesh_names)
+    if (const std::string name = meshFile(run, mesh);
+        std::find(files.begin(), files.end(), name) == files.end())
+      fs::remove(folder / name, ignored);
+}
+
+}  // namespace fissure
