@@ -26,8 +26,9 @@ class Run:
         self.config, self.overrides, self.frames = config, overrides, frames
 
     def make(self, arguments, path):
+        """Pictures change no number, and are drawn only where the page is written."""
         words = [word for override in ("expect=[]", *self.overrides) for word in ("--set", override)]
-        words += [] if self.frames else ["--no-frames"]
+        words += [] if self.frames and not arguments.check else ["--no-frames"]
         fissure(arguments, "run", ROOT / f"configs/{self.config}.yaml", "-o", path, "--force", "-j", "2", *words)
 
 
