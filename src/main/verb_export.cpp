@@ -54,6 +54,10 @@ std::vector<std::string> chosenRuns(const ExportOptions& options, const ResultIn
 /// Those that have snapshots; a run named on the command line must have some.
 std::list<ExportedRun> openRuns(const ExportOptions& options) {
   const ResultInfo info = readResultInfo(options.result);
+  if (!info.complete || info.reference)
+    throw InputError(options.result +
+                     (info.reference ? ": a reference, with a few rows of each series" : ": not complete") +
+                     ", expected a finished result");
   std::list<ExportedRun> runs;
   for (const std::string& name : chosenRuns(options, info)) {
     if (!runs.emplace_back(options.result, name).meshes.times_s.empty()) continue;

@@ -104,6 +104,8 @@ TEST(Export, RefusesWhatIsNoResult) {
   for (const std::string bad : {"text.h5", "cut.h5", "none.h5"})
     expectRefused(runFissure(folder, {"export", bad}), bad);
   expectRefused(runFissure(folder, {"export", "a.h5", "-o", "file"}), "file/fukuhara.");
+  ASSERT_EQ(runFissure(folder, {"compare", "a.h5", "few.h5", "--update"}).code, 0);
+  expectRefused(runFissure(folder, {"export", "few.h5"}), "few.h5: a reference");
   if (const std::string python = pythonWith("h5py"); !python.empty()) {
     const Outcome edit =
         runTool(folder, {python, "-c", "import h5py; h5py.File('a.h5', 'r+').attrs['format_version'] = 2"});
