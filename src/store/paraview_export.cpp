@@ -1,16 +1,12 @@
 #include "store/paraview_export.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <array>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <memory>
 
 #include "base/error.h"
 #include "store/replacement_file.h"
+#include "store/temporary_file.h"
 #include "store/vtk_file.h"
 #include "store/xdmf.h"
 
@@ -27,21 +23,9 @@ std::string meshFile(const std::string& run, const std::string& mesh) {
 }
 
 void writeText(const fs::path& target, const std::string& text) {
-  const fs::path temporary = ReplacementFile::temporaryName(target, ::getpid(), 0);
-  errno = 0;
-  std::ofstream out(temporary, std::ios::binary);
-  out << text;
-  out.close();
-  std::error_code error;
-  if (!out) {
-    error = {errno == 0 ? EIO : errno, std::generic_category()};
-  } else {
-    fs::rename(temporary, target, error);
-  }
-  if (!error) return;
-  std::error_code ignored;
-  fs::remove(temporary, ignored);
-  throw RunError("cannot write: " + error.message());
+  TemporaryFile temporary(target);
+  temporary.write(text);
+  temporary.commit();
 }
 
 std::unique_ptr<ReplacementFile> writeMesh(const fs::path& target, const MovingMesh& mesh,

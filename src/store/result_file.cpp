@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "store/durable_file.h"
+#include "store/temporary_file.h"
 #include "store/format.h"
 #include "store/frame_images.h"
 #include "store/group_builder.h"

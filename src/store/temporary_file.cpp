@@ -6,7 +6,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <string>
+#include <memory>
 
 #include "base/error.h"
 
@@ -54,6 +54,13 @@ TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(t
 TemporaryFile::~TemporaryFile() {
   std::error_code ignored;
   if (!path_.empty()) std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::write(const std::string& text) const {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path_.c_str(), "wbe"), std::fclose);
+  if (!stream || std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() ||
+      std::fclose(stream.release()) != 0)
+    failSystem("cannot write");
 }
 
 void TemporaryFile::commit() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace fissure {
 
@@ -17,6 +18,9 @@ class TemporaryFile {
   TemporaryFile& operator=(const TemporaryFile&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
+
+  /// Makes the file, of this text. Throws RunError("cannot write: <reason>").
+  void write(const std::string& text) const;
 
   /// Of a finished and closed file: makes it durable, renames it to the target and makes the folder durable.
   /// Throws RunError.
