@@ -1,5 +1,6 @@
 #include "main/page_file.h"
 
+#include "base/error.h"
 #include "process/apart.h"
 #include "store/temporary_file.h"
 
@@ -8,8 +9,20 @@ namespace fissure {
 void writePageApart(const std::filesystem::path& target, const std::function<std::string()>& make,
                     unsigned long most_s) {
   TemporaryFile temporary(target);
-  doApart([&] { temporary.write(make()); }, most_s);
-  temporary.commit();
+  const auto named = [&](const auto& writing) {
+    try {
+      writing();
+    } catch (const RunError& error) {
+      throw RunError(target.string() + ": " + error.what());
+    }
+  };
+  doApart(
+      [&] {
+        const std::string page = make();
+        named([&] { temporary.write(page); });
+      },
+      most_s);
+  named([&] { temporary.commit(); });
 }
 
 }  // namespace fissure

@@ -108,7 +108,7 @@ TEST_F(Report, AFullDiskLeavesNothing) {
   const Outcome outcome =
       Program(folder_, {fissureProgram(), "report", "press.h5"}, {.file_bytes = 20000}).wait();
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_TRUE(isOneLine(outcome.err) && has(outcome.err, "press.html: cannot be written: ")) << outcome.err;
+  EXPECT_TRUE(isOneLine(outcome.err) && has(outcome.err, "press.html: cannot write: ")) << outcome.err;
   EXPECT_EQ(folder_.names(), std::vector<std::string>{"press.h5"});
 }
 
