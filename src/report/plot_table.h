@@ -25,7 +25,7 @@ struct PlotQuantity {
   bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
 };
 
-inline constexpr std::array<PlotQuantity, 23> plot_quantities = {{
+inline constexpr std::array<PlotQuantity, 24> plot_quantities = {{
     {"penetration_depth", "Penetration", "Penetration depth", PlotScale::length,
      "deepest tool sample in tissue, or tissue vertex in a tool"},
     {"stand_off", "Penetration", "Distance between tool and tissue", PlotScale::length,
@@ -51,6 +51,8 @@ inline constexpr std::array<PlotQuantity, 23> plot_quantities = {{
      "law"},
     {"clamp_reaction", "Clamps", "Reaction on both jaws of {}", PlotScale::prefixed, "length of the sum",
      "clamp"},
+    {"coupling_force", "Couplings", "Force of the coupling on {}", PlotScale::prefixed,
+     "length; its opposite is what the hand feels", "coupling"},
     {"gauge_displacement", "Gauges", "Displacement of {}", PlotScale::length,
      "mean of the gauge's vertices, since time 0", "gauge", "xyz"},
     {"contact_count", "Contacts", "Contacts", PlotScale::plain, "that act on the tissue"},

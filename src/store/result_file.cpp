@@ -7,12 +7,12 @@
 
 #include "base/error.h"
 #include "base/hash.h"
-#include "store/temporary_file.h"
 #include "store/format.h"
 #include "store/frame_images.h"
 #include "store/group_builder.h"
 #include "store/part_reader.h"
 #include "store/replacement_file.h"
+#include "store/temporary_file.h"
 
 namespace fissure {
 
