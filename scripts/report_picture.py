@@ -2,6 +2,8 @@
 """The upper part of the report page of a scenario, as headless Chromium shows it: the picture in the README.
 
     /usr/bin/python3 scripts/report_picture.py configs/spatula_press.yaml -o results/spatula_press_report.png [--at 0.15]
+
+Needs Chromium: scripts/setup tests.
 """
 import argparse
 import base64

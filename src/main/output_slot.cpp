@@ -51,6 +51,12 @@ bool isPartsOf(const fs::path& result, const fs::directory_entry& entry) {
 
 }  // namespace
 
+void refuseInput(const fs::path& input, const fs::path& output) {
+  std::error_code missing;
+  if (fs::equivalent(input, output, missing))
+    throw InputError(output.string() + ": is the result itself, expected another name");
+}
+
 OutputClaim::OutputClaim(const fs::path& output, bool replace) {
   if (!output.has_filename()) refuse(output, "is a folder, expected the name of a result file");
   checkFree(output, replace);

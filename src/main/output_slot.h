@@ -18,6 +18,9 @@ class OutputClaim {
   std::optional<FileLock> lock_;
 };
 
+/// Throws InputError when `output` is the file that is read.
+void refuseInput(const std::filesystem::path& input, const std::filesystem::path& output);
+
 /// The place of one result file while its runs are made: claimed, and with a hidden folder beside it for the
 /// parts. All but the result is gone afterwards. A front that is killed leaves folder and parts, for salvage;
 /// the next slot of the same file removes them.

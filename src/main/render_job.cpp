@@ -10,6 +10,7 @@
 
 #include "base/error.h"
 #include "main/exit_codes.h"
+#include "main/output_slot.h"
 #include "main/progress_display.h"
 #include "picture/picture_file.h"
 #include "picture/video_file.h"
@@ -140,10 +141,16 @@ std::vector<std::vector<fs::path>> claimFiles(const RenderJob& job, const std::v
       std::vector<fs::path>& own = files.emplace_back();
       for (const double time_s : series.times_s)
         own.push_back(*job.folder / (series.name + "_" + texts.of(time_s) + ".png"));
-      for (const fs::path& file : own) refuseExisting(file, job.force);
+      for (const fs::path& file : own) {
+        refuseInput(job.result, file);
+        refuseExisting(file, job.force);
+      }
     }
   }
-  if (job.video) refuseExisting(*job.video, job.force);
+  if (job.video) {
+    refuseInput(job.result, *job.video);
+    refuseExisting(*job.video, job.force);
+  }
   if (job.folder) makeFolder(*job.folder);
   if (job.video && job.video->has_parent_path()) makeFolder(job.video->parent_path());
   return files;

@@ -8,6 +8,7 @@
 #include "main/output_slot.h"
 #include "main/verbs.h"
 #include "process/apart.h"
+#include "process/interrupt.h"
 #include "store/paraview_export.h"
 #include "store/result_file.h"
 
@@ -48,7 +49,11 @@ std::vector<std::string> chosenRuns(const ExportOptions& options, const ResultIn
                            .append(wanted)
                            .append("\", expected one of ")
                            .append(known));
-  return options.pipelines.empty() ? names : options.pipelines;
+  if (options.pipelines.empty()) return names;
+  std::vector<std::string> chosen;
+  for (const std::string& wanted : options.pipelines)
+    if (std::find(chosen.begin(), chosen.end(), wanted) == chosen.end()) chosen.push_back(wanted);
+  return chosen;
 }
 
 /// Those that have snapshots; a run named on the command line must have some.
@@ -92,10 +97,17 @@ int exportResult(const ExportOptions& options) {
                                                  : fs::path(options.folder);
   std::list<OutputClaim> claims;
   for (const ExportedRun& run : runs)
-    for (const std::string& name : exportNames(run.name, run.meshes))
+    for (const std::string& name : exportNames(run.name, run.meshes)) {
+      refuseInput(options.result, folder / name);
       claims.emplace_back(folder / name, options.force);
+    }
+  Interrupt interrupt;  // a run is exported whole or not at all
   for (const ExportedRun& run : runs) {
-    exportRun(folder, run.name, run.meshes);
+    if (interrupt.requested()) {
+      std::cerr << "interrupted: the runs that were exported are kept\n";
+      return exit_interrupted;
+    }
+    exportRun(folder, run.name, run.meshes, options.force);
     std::cout << "ParaView: " << (folder / (run.name + ".xdmf")).string() << ", " << run.meshes.times_s.size()
               << " times\n";
   }
@@ -109,8 +121,10 @@ Verb addExport(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "export", "snapshots of a result for ParaView: a .xdmf a run (any version), .vtkhdf files (5.12 on)");
   command->add_option("RESULT", options->result, "result file with snapshots")->required()->check(notEmpty);
-  command->add_option("--pipeline", options->pipelines,
-                      "only this run (repeatable); default: all with snapshots");
+  command
+      ->add_option("--pipeline", options->pipelines,
+                   "only this run (repeatable); default: all with snapshots")
+      ->allow_extra_args(false);
   command
       ->add_option("-o,--output", options->folder,
                    "folder for the files; default: <RESULT without .h5>.paraview")

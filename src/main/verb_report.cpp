@@ -10,6 +10,7 @@
 #include "main/page_file.h"
 #include "main/verbs.h"
 #include "process/apart.h"
+#include "process/interrupt.h"
 #include "report/page.h"
 #include "report/page_data.h"
 #include "report/video.h"
@@ -51,12 +52,14 @@ void writeResultPage(const fs::path& result, const fs::path& output, const Repor
 /// Files that may be results, below `folder`, by name; not within hidden folders, where unfinished runs live.
 std::vector<fs::path> resultsBelow(const fs::path& folder) {
   std::vector<fs::path> results;
-  std::error_code error;
-  fs::recursive_directory_iterator entry(folder, error), end;
+  std::error_code error, ignored;
+  fs::recursive_directory_iterator entry(folder, fs::directory_options::skip_permission_denied, error), end;
   while (!error && entry != end) {
     const bool hidden = entry->path().filename().string().starts_with('.');
-    if (hidden && entry->is_directory()) entry.disable_recursion_pending();
-    if (!hidden && entry->path().extension() == ".h5" && entry->is_regular_file())
+    if (hidden && entry->is_directory(ignored)) entry.disable_recursion_pending();
+    // A link to nowhere is one too: its row says what is wrong with it.
+    const bool file = entry->is_regular_file(ignored) || entry->is_symlink(ignored);
+    if (!hidden && entry->path().extension() == ".h5" && file && !entry->is_directory(ignored))
       results.push_back(entry->path());
     entry.increment(error);
   }
@@ -116,9 +119,14 @@ void checkPages(const std::vector<fs::path>& results, const fs::path& table, con
     if (page.lexically_normal() == table.lexically_normal())
       throw InputError(table.string() + ": is the page of " + result.string() +
                        " too, expected another name for the table");
-    if (!options.force && fs::exists(page))
+    if (std::error_code ignored; !options.force && fs::exists(page, ignored))
       throw InputError(page.string() + ": exists already, expected another folder or --force");
   }
+}
+
+int stopped() {
+  std::cerr << "interrupted: finished pages are kept\n";
+  return exit_interrupted;
 }
 
 int reportFolder(const ReportOptions& options) {
@@ -128,9 +136,13 @@ int reportFolder(const ReportOptions& options) {
   const std::vector<fs::path> results = resultsBelow(options.input);
   checkPages(results, table, options);
   const OutputClaim claim(table, options.force);
+  Interrupt interrupt;
   std::vector<FolderEntry> entries;
   entries.reserve(results.size());
-  for (const fs::path& result : results) entries.push_back(reportOne(result, table, options));
+  for (const fs::path& result : results) {
+    if (interrupt.requested()) return stopped();
+    entries.push_back(reportOne(result, table, options));
+  }
   const std::string name = fs::canonical(options.input).filename().string();
   writePageApart(
       table, [&] { return pageText(folderPage(name, program(), entries)); }, 60);
@@ -143,9 +155,10 @@ int reportFolder(const ReportOptions& options) {
 int reportResult(const ReportOptions& options) {
   const fs::path output =
       options.output.empty() ? fs::path(options.input).replace_extension(".html") : fs::path(options.output);
-  if (sameFile(options.input, output))
-    throw InputError(output.string() + ": is the result itself, expected another name for the page");
+  refuseInput(options.input, output);
+  Interrupt interrupt;  // a page is there whole or not at all
   writeResultPage(options.input, output, options);
+  if (interrupt.requested()) return stopped();
   std::cout << "page: " << output.string() << "\n";
   return exit_good;
 }
@@ -169,7 +182,9 @@ Verb addReport(CLI::App& app) {
       ->check(notEmpty);
   command->add_flag("--force", options->force, "replace existing pages");
   return {command, [options] {
-            return fs::is_directory(options->input) ? reportFolder(*options) : reportResult(*options);
+            std::error_code ignored;
+            return fs::is_directory(options->input, ignored) ? reportFolder(*options)
+                                                             : reportResult(*options);
           }};
 }
 

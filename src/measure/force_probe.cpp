@@ -47,6 +47,7 @@ ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene)
   limits_N_.resize(tools_.size());
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
     const auto at = std::find(tools_.begin(), tools_.end(), tool.name);
+    if (tool.coupling) continue;  // a hand feels the coupling (CouplingProbe), not the law
     if (at != tools_.end()) limits_N_[static_cast<std::size_t>(at - tools_.begin())] = tool.force_limit_N;
   }
   if (std::none_of(limits_N_.begin(), limits_N_.end(), [](const auto& limit) { return limit.has_value(); }))

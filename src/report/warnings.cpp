@@ -31,6 +31,8 @@ constexpr Counted counted[] = {
      "up to {} tissue triangles are turned inside out or folded over: depth can hide there, so that the "
      "penetration depth says too little",
      true},
+    {"_coupling_saturated_steps",
+     "saturated: in {} steps the coupling of [] asks for more force than its device gives"},
     {"_replay_gaps", "the log that [] replays has {} gaps: no motion is known there"},
     {"_replay_held_samples",
      "the log that [] replays has {} held samples: the device stood still, or repeated "

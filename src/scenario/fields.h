@@ -1,13 +1,12 @@
 #pragma once
 
-#include "scenario/fields_clamps.h"
+#include "scenario/fields_tools.h"
 #include "scenario/fields_world.h"
 #include "scenario/tissues.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: tools with their motions, pipelines, force laws, and the scenario as a
-// whole.
+// Continues scenario/fields_world.h: motions of tools, pipelines, force laws, and the scenario as a whole.
 
 template <class Io>
 void describe(Io& io, MotionSegment& s) {
@@ -60,39 +59,6 @@ void describe(Io& io, ReplayMotion& m) {
   io.choice("interpolation", m.interpolation, catalog().interpolations);
   io.field("max_gap_s", m.max_gap_s);
   io.field("jump_m", m.jump_m);
-}
-
-template <class Io>
-void describe(Io& io, NodeSettings& n) {
-  io.choice("placement", n.placement, catalog().node_placements);
-  const bool grid = n.placement == "grid";
-  io.fieldIf(grid, "placement grid", "resolution", n.resolution);
-  io.fieldIf(grid, "placement grid", "narrow_rows", n.narrow_rows);
-  io.fieldIf(!grid, "placement centroids", "max_spacing_m", n.max_spacing_m);
-  io.fieldIf(!grid, "placement centroids", "pairing_limit", n.pairing_limit);
-  io.fieldIf(!grid, "placement centroids", "lone_nodes", n.lone_nodes);
-  io.fieldIf(!grid, "placement centroids", "rim_nodes", n.rim_nodes);
-}
-
-template <class Io>
-void describe(Io& io, CouplingSettings& c) {
-  io.required("mass_kg", c.mass_kg);
-  io.required("stiffness_N_m", c.stiffness_N_m);
-  io.required("damping_N_s_m", c.damping_N_s_m);
-  io.required("force", c.force);
-}
-
-template <class Io>
-void describe(Io& io, ToolSettings& t) {
-  io.required("name", t.name);
-  io.tagged("shape", t.shape, catalog().tool_shapes);
-  io.field("clamp", t.clamp);
-  t.nodes.placement = t.nodePlacement();
-  io.field("nodes", t.nodes);
-  io.field("friction", t.friction);
-  io.field("force_limit_N", t.force_limit_N);
-  io.field("coupling", t.coupling);
-  io.tagged("motion", t.motion, catalog().motions);
 }
 
 template <class Io>

@@ -33,7 +33,8 @@ SeriesData readNumbers(hid_t file, const std::string& name) {
 }  // namespace
 
 SeriesData readSeries(const std::filesystem::path& file, const std::string& dataset) {
-  if (!std::filesystem::exists(file)) throw InputError(file.string() + ": no such file");
+  if (std::error_code ignored; !std::filesystem::exists(file, ignored))
+    throw InputError(file.string() + ": no such file");
   try {
     return readNumbers(h5::openToRead(file), dataset);
   } catch (const RunError& error) {

@@ -85,8 +85,11 @@ ResultInfo readInfo(const h5::Id& file) {
 
 ResultInfo readResultInfo(const std::filesystem::path& path) {
   const std::string name = path.string();
-  if (!std::filesystem::exists(path)) throw InputError(name + ": no such file");
-  if (!std::filesystem::is_regular_file(path))
+  std::error_code reason;  // a loop of links, a name that is too long
+  const std::filesystem::file_status status = std::filesystem::status(path, reason);
+  if (status.type() == std::filesystem::file_type::not_found) throw InputError(name + ": no such file");
+  if (reason) throw InputError(name + ": " + reason.message());
+  if (!std::filesystem::is_regular_file(status))
     throw InputError(name + ": not a file, expected a fissure result");
   try {
     const h5::Id file = h5::openToRead(path);

@@ -94,6 +94,22 @@ TEST(Export, ReplacesOnlyWhenForced) {
   EXPECT_FALSE(fs::exists(folder / "a.paraview/fukuhara.nodes.vtkhdf")) << "of an earlier run that had nodes";
 }
 
+TEST(Export, WithoutForceNothingOfOthersIsTouched) {
+  const Folder folder;
+  makeResult(folder, pressScenario("[{pipeline: default}]", "0.03", snapshots));
+  fs::create_directory(folder / "shown");
+  folder.write("shown/default.nodes.vtkhdf", "mine");
+  EXPECT_EQ(
+      runFissure(folder, {"export", "-o", "shown", "--pipeline", "default", "--pipeline", "default", "a.h5"})
+          .code,
+      0);
+  EXPECT_EQ(folder.read("shown/default.nodes.vtkhdf"), "mine");
+  fs::create_directory(folder / "own");
+  fs::rename(folder / "a.h5", folder / "own/default.tissue.vtkhdf");
+  expectRefused(runFissure(folder, {"export", "own/default.tissue.vtkhdf", "-o", "own", "--force"}),
+                "own/default.tissue.vtkhdf: is the result itself, expected another name");
+}
+
 TEST(Export, RefusesWhatIsNoResult) {
   const Folder folder;
   makeResult(folder, pressScenario("[{pipeline: fukuhara}]", "0.03", snapshots));

@@ -213,6 +213,13 @@ TEST(Render, RefusesBadInput) {
   EXPECT_NE(folder.read("taken/press_0.010s.png"), "mine");
 }
 
+TEST(Render, DoesNotWriteOverWhatItReads) {
+  const Folder folder;
+  run(folder, press_scenario, "r.mp4");
+  expectOneLine(render(folder, {"r.mp4", "--video", "r.mp4", "--force"}), 2,
+                "r.mp4: is the result itself, expected another name");
+}
+
 TEST(Render, RefusesWhatOthersWrote) {
   const Folder folder;
   run(folder, press_scenario, "r.h5");

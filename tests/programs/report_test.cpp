@@ -138,6 +138,19 @@ TEST_F(Report, AFolderIsATableWithLinks) {
   EXPECT_EQ(folder_.read("out/table.html"), table);
 }
 
+TEST_F(Report, LinksToNowhereAreRowsOfTheTable) {
+  copy("in/b.h5");
+  fs::create_symlink("loop.h5", folder_ / "in/loop.h5");
+  fs::create_symlink("gone", folder_ / "in/lost.h5");
+  const Outcome outcome = report({"in"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(has(outcome.out, "no page: loop.h5: ") && has(outcome.out, "no page: lost.h5: "))
+      << outcome.out;
+  EXPECT_TRUE(fs::exists(folder_ / "in/b.html"));
+  fs::create_symlink("round", folder_ / "round");
+  expectRefused({"round"}, "round: ");
+}
+
 TEST_F(Report, FoldersThatCannotBeReported) {
   fs::create_directory(folder_ / "empty");
   expectRefused({"empty"}, "empty: holds no result, expected *.h5 files");

@@ -117,6 +117,7 @@ TEST_F(CoupledRun, WhatTheDeviceCannotGiveIsCounted) {
     beyond += vector(row, force).norm() > 5;
   }
   EXPECT_GT(beyond, 2);
+  EXPECT_EQ(layout.find("saturated"), nullptr) << "of the law, which no hand feels";
   EXPECT_EQ(std::get<long long>(seen.summary.at("plate_coupling_saturated_steps").value), beyond);
 }
 
