@@ -1,0 +1,206 @@
+#include "study/sweep_file.h"
+
+#include <algorithm>
+#include <set>
+
+#include "base/error.h"
+#include "scenario/read_map.h"
+#include "scenario/scalars.h"
+#include "scenario/text_file.h"
+
+namespace fissure {
+
+namespace {
+
+/// YAML, kept as it was written, to be put into a scenario.
+struct YamlTexts {
+  std::vector<std::string> texts;
+};
+
+std::string flowText(const YamlNode& node) {
+  std::string text;
+  const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
+  switch (node.kind) {
+    case YamlNode::Kind::nothing:
+      return "null";
+    case YamlNode::Kind::scalar:
+      return node.quoted ? formatText(node.text) : node.text;
+    case YamlNode::Kind::list:
+      for (const YamlNode& item : node.children) add(flowText(item));
+      return "[" + text + "]";
+    case YamlNode::Kind::map:
+      for (const YamlNode& entry : node.children) add(formatText(entry.key) + ": " + flowText(entry));
+      return "{" + text + "}";
+  }
+  return text;
+}
+
+const std::vector<CatalogEntry>& designs() {
+  static const std::vector<CatalogEntry> table = {
+      {"grid", "every combination of the values of all axes"},
+      {"random", "each axis by itself, evenly distributed"},
+      {"latin_hypercube", "random, with every share of each axis hit once"},
+      {"sobol", "a Sobol sequence: evenly spread in all axes together"},
+  };
+  return table;
+}
+
+}  // namespace
+
+void readValue(const YamlNode& node, const std::string& path, YamlTexts& value) {
+  requireList(node, path);
+  if (node.children.empty()) failAt(node.origin, path + " is empty, expected at least one value");
+  for (const YamlNode& item : node.children) value.texts.push_back(flowText(item));
+}
+
+// Not in a namespace of their own: the reader finds them by the types they describe.
+template <class Io>
+void describe(Io& io, AxisRange& range) {
+  io.required("from", range.from);
+  io.required("to", range.to);
+  io.required("count", range.count);
+}
+
+template <class Io>
+void readValues(Io& io, std::optional<std::vector<std::string>>& values) {
+  std::optional<YamlTexts> read;
+  io.field("values", read);
+  if (read) values = std::move(read->texts);
+}
+
+template <class Io>
+void describe(Io& io, SweepAxis& axis) {
+  io.required("path", axis.path);
+  readValues(io, axis.values);
+  io.field("linear", axis.linear);
+  io.field("logarithmic", axis.logarithmic);
+}
+
+template <class Io>
+void describe(Io& io, SweepCondition& condition) {
+  io.required("path", condition.path);
+  io.field("min", condition.min);
+  io.field("max", condition.max);
+  readValues(io, condition.values);
+}
+
+void readValue(const YamlNode& node, const std::string& path, AxisGroup& group) {
+  if (node.kind == YamlNode::Kind::map && node.find("zip")) {
+    struct Zip {
+      std::vector<SweepAxis> axes;
+    } zip;
+    MapReader io(node, path);
+    io.required("zip", zip.axes);
+    io.finish();
+    group.axes = std::move(zip.axes);
+    return;
+  }
+  readValue(node, path, group.axes.emplace_back());
+}
+
+template <class Io>
+void describe(Io& io, SweepSettings& sweep) {
+  io.required("format", sweep.format);
+  io.required("name", sweep.name);
+  io.text("description", sweep.description);
+  io.required("base", sweep.base);
+  io.field("pipelines", sweep.pipelines);
+  io.required("axes", sweep.axes);
+  io.field("exclude", sweep.exclude);
+  io.choice("design", sweep.design, designs());
+  const bool sampled = sweep.design != SweepDesign::grid;
+  io.fieldIf(sampled, "design random, latin_hypercube or sobol", "count", sweep.count);
+  io.fieldIf(sampled, "design random, latin_hypercube or sobol", "seed", sweep.seed);
+}
+
+namespace {
+
+class SweepChecker {
+ public:
+  SweepChecker(const YamlNode& root, const SweepSettings& sweep) : root_(root), sweep_(sweep) {}
+
+  void check() {
+    if (sweep_.format != 1)
+      failAt(root_.find("format")->origin, "format is " + std::to_string(sweep_.format) + ", expected 1");
+    const YamlNode& groups = *root_.find("axes");
+    if (sweep_.axes.empty()) failAt(groups.origin, "axes is empty, expected at least one");
+    for (std::size_t g = 0; g < sweep_.axes.size(); ++g) checkGroup(groups.children[g], sweep_.axes[g]);
+    for (std::size_t i = 0; i < sweep_.exclude.size(); ++i)
+      for (std::size_t c = 0; c < sweep_.exclude[i].size(); ++c)
+        checkCondition(root_.find("exclude")->children[i].children[c], sweep_.exclude[i][c]);
+    if (sweep_.design == SweepDesign::grid) return;
+    for (const char* key : {"count", "seed"})
+      if (!root_.find(key))
+        failAt(root_.find("design")->origin, std::string("needs ") + key + ", expected it");
+    if (*sweep_.count < 1)
+      failAt(root_.find("count")->origin,
+             "count is " + std::to_string(*sweep_.count) + ", expected at least 1");
+    if (*sweep_.seed < 0)
+      failAt(root_.find("seed")->origin, "seed is " + std::to_string(*sweep_.seed) + ", expected at least 0");
+  }
+
+ private:
+  static std::size_t length(const SweepAxis& axis) {
+    if (axis.values) return axis.values->size();
+    return static_cast<std::size_t>(axis.linear ? axis.linear->count : axis.logarithmic->count);
+  }
+
+  void checkGroup(const YamlNode& node, const AxisGroup& group) {
+    if (group.axes.empty()) failAt(node.origin, "zip is empty, expected axes");
+    for (const SweepAxis& axis : group.axes) checkAxis(node.origin, axis);
+    for (const SweepAxis& axis : group.axes) {
+      if (length(axis) != length(group.axes.front()))
+        failAt(node.origin, axis.path + " has " + std::to_string(length(axis)) + " values and " +
+                                group.axes.front().path + " " + std::to_string(length(group.axes.front())) +
+                                ", expected as many of zipped axes");
+    }
+  }
+
+  void checkAxis(const Origin& origin, const SweepAxis& axis) {
+    if (!paths_.insert(axis.path).second)
+      failAt(origin, "a second axis on " + axis.path + ", expected one axis a path");
+    if (axis.values.has_value() + axis.linear.has_value() + axis.logarithmic.has_value() != 1)
+      failAt(origin, "axis " + axis.path + " has " +
+                         (axis.values || axis.linear || axis.logarithmic ? "several of" : "none of") +
+                         " values, linear and logarithmic, expected one");
+    if (axis.linear) checkRange(origin, axis.path + " linear", *axis.linear);
+    if (!axis.logarithmic) return;
+    checkRange(origin, axis.path + " logarithmic", *axis.logarithmic);
+    if (!(axis.logarithmic->from > 0 && axis.logarithmic->to > 0))
+      failAt(origin, "axis " + axis.path + " logarithmic: from and to are " +
+                         formatReal(axis.logarithmic->from) + " and " + formatReal(axis.logarithmic->to) +
+                         ", expected numbers above 0");
+  }
+
+  static void checkRange(const Origin& origin, const std::string& what, const AxisRange& range) {
+    if (range.count < 2)
+      failAt(origin, "axis " + what + ": count is " + std::to_string(range.count) + ", expected at least 2");
+    if (range.from == range.to)
+      failAt(origin, "axis " + what + ": from and to are " + formatReal(range.from) + ", expected a range");
+  }
+
+  void checkCondition(const YamlNode& node, const SweepCondition& condition) {
+    if (!paths_.contains(condition.path))
+      failAt(node.origin, "exclude: " + condition.path + " is no axis, expected the path of one");
+    if (!condition.min && !condition.max && !condition.values)
+      failAt(node.origin, "exclude: " + condition.path + " without a condition, expected min, max or values");
+  }
+
+  const YamlNode& root_;
+  const SweepSettings& sweep_;
+  std::set<std::string> paths_;
+};
+
+}  // namespace
+
+SweepSettings loadSweep(const std::filesystem::path& file) {
+  const YamlNode root = parseYaml(readTextFile(file), {file.string(), 1});
+  SweepSettings sweep;
+  readValue(root, "", sweep);
+  SweepChecker(root, sweep).check();
+  const std::filesystem::path parent = file.parent_path();
+  sweep.directory = parent.empty() ? std::filesystem::path(".") : parent;
+  return sweep;
+}
+
+}  // namespace fissure
