@@ -74,18 +74,19 @@ Shares latinShares(std::size_t points, std::size_t groups, boost::random::mt1993
   return shares;
 }
 
-// Sobol's sequence (Joe and Kuo's direction numbers), shifted by a random vector modulo 1 (Cranley and
-// Patterson 1976), so that a seed means something and no point sits on all lower ends.
+// Sobol's sequence from its first point, zero, on (Joe and Kuo's direction numbers), with a random digital
+// shift (Matousek 1998), so that a seed means something, no point sits on all lower ends, and every power of
+// two of points is still a net.
 Shares sobolShares(std::size_t points, std::size_t groups, boost::random::mt19937_64& random) {
-  const std::vector<double> shift = randomShares(1, groups, random).front();
-  boost::random::sobol sequence(groups);
+  std::vector<std::uint64_t> shift(groups);
+  for (std::uint64_t& bits : shift) bits = random();
+  boost::random::sobol sequence(groups);  // leaves out zero
   Shares shares(points, std::vector<double>(groups));
-  for (std::vector<double>& row : shares) {
+  for (std::size_t i = 0; i < points; ++i)
     for (std::size_t g = 0; g < groups; ++g) {
-      const double share = std::ldexp(static_cast<double>(sequence() >> 11), -53) + shift[g];
-      row[g] = share - std::floor(share);
+      const std::uint64_t bits = (i == 0 ? 0 : sequence()) ^ shift[g];
+      shares[i][g] = std::ldexp(static_cast<double>(bits >> 11), -53);
     }
-  }
   return shares;
 }
 
