@@ -187,6 +187,20 @@ void applyOverride(YamlNode& root, const Override& override) {
   *node = std::move(value);
 }
 
+YamlNode* findNode(YamlNode& root, const std::string& path) {
+  YamlNode* node = &root;
+  for (const std::string& part : splitPath(path)) {
+    if (node->kind == Kind::list) {
+      const std::size_t i = findItem(node->children, part);
+      node = i < node->children.size() ? &node->children[i] : nullptr;
+    } else {
+      node = node->kind == Kind::map ? node->find(part) : nullptr;
+    }
+    if (!node) break;
+  }
+  return node;
+}
+
 Origin locate(const YamlNode& root, const std::string& path) {
   const YamlNode* node = &root;
   for (const std::string& part : splitPath(path)) {

@@ -31,6 +31,9 @@ YamlNode merge(YamlNode base, YamlNode top);
 /// Throws InputError that starts with `--set path`.
 void applyOverride(YamlNode& root, const Override& override);
 
+/// The node at a path as in Problem; null when there is none.
+YamlNode* findNode(YamlNode& root, const std::string& path);
+
 /// Where the node at a path as in Problem was written, or the nearest one above it.
 Origin locate(const YamlNode& root, const std::string& path);
 

@@ -29,12 +29,13 @@ std::string relativeToScenario(const std::string& name, const Origin& origin, co
   return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();
 }
 
-/// Makes the name of an input start from the scenario's directory, and says which file it is. `path`: where
+/// Makes the name of an input start from the scenario's directory, in `root` too, and says which file it is. `path`: where
 /// the scenario names it; `kind`: what it should be.
-Path resolve(std::string& name, const std::string& path, const char* kind, const YamlNode& root,
+Path resolve(std::string& name, const std::string& path, const char* kind, YamlNode& root,
              const Path& directory) {
   const Origin origin = locate(root, path);
   name = relativeToScenario(name, origin, directory);
+  if (YamlNode* written = findNode(root, path)) written->text = name;
   Path file = directory / name;
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored)) {
@@ -44,7 +45,7 @@ Path resolve(std::string& name, const std::string& path, const char* kind, const
 }
 
 /// The logs and meshes that the scenario names.
-std::vector<Path> resolveInputs(Scenario& scenario, const YamlNode& root) {
+std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
   std::vector<Path> files;
   const auto addMesh = [&](SurfaceShape& shape, const std::string& path) {
     if (auto* mesh = std::get_if<FileShape>(&shape))
@@ -92,6 +93,7 @@ LoadedScenario parseScenario(const std::string& text, const Path& file,
   auto [tree, loaded] = parse(text, file, overrides);
   loaded.inputs = std::move(tree.bases);
   for (Path& input : resolveInputs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(input));
+  loaded.composed = flowText(tree.root);
   loaded.resolved = toYaml(loaded.scenario);
   return loaded;
 }

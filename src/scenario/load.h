@@ -18,6 +18,10 @@ struct Override {
 struct LoadedScenario {
   Scenario scenario;
   std::string source;    ///< the file, verbatim
+  /// The file with its bases and overrides merged in, without what it leaves out: a line of YAML that reads
+  /// as the file does, from the same directory. Overrides mean the same on top of it; on top of `resolved`
+  /// they would not, because defaults are written out there.
+  std::string composed;
   std::string resolved;  ///< toYaml(scenario)
   std::vector<std::filesystem::path>
       inputs;  ///< the file, its bases (nearest first), meshes and logs it names

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "scenario/scalars.h"
 #include "scenario/text_file.h"
 
 namespace fissure {
@@ -185,6 +186,25 @@ YamlNode parseYaml(const std::string& text, const Origin& first) {
   YamlNode empty;
   empty.origin = first;
   return empty;
+}
+
+std::string flowText(const YamlNode& node) {
+  std::string text;
+  const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
+  switch (node.kind) {
+    case YamlNode::Kind::nothing:
+      return "null";
+    case YamlNode::Kind::scalar:
+      // A plain text may hold what ends a scalar in flow style.
+      return node.quoted || scalarKind(node.text) == ScalarKind::text ? formatText(node.text) : node.text;
+    case YamlNode::Kind::list:
+      for (const YamlNode& item : node.children) add(flowText(item));
+      return "[" + text + "]";
+    case YamlNode::Kind::map:
+      for (const YamlNode& entry : node.children) add(formatText(entry.key) + ": " + flowText(entry));
+      return "{" + text + "}";
+  }
+  return text;
 }
 
 }  // namespace fissure

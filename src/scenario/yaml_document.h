@@ -41,4 +41,7 @@ struct YamlNode {
 /// second document.
 YamlNode parseYaml(const std::string& text, const Origin& first);
 
+/// The node on one line, as YAML in flow style that reads back to an equal one.
+std::string flowText(const YamlNode& node);
+
 }  // namespace fissure

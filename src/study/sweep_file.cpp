@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "scenario/read_map.h"
 #include "scenario/scalars.h"
+#include "scenario/scenario.h"
 #include "scenario/text_file.h"
 
 namespace fissure {
@@ -17,30 +18,20 @@ struct YamlTexts {
   std::vector<std::string> texts;
 };
 
-std::string flowText(const YamlNode& node) {
-  std::string text;
-  const auto add = [&](const std::string& item) { text += (text.empty() ? "" : ", ") + item; };
-  switch (node.kind) {
-    case YamlNode::Kind::nothing:
-      return "null";
-    case YamlNode::Kind::scalar:
-      return node.quoted ? formatText(node.text) : node.text;
-    case YamlNode::Kind::list:
-      for (const YamlNode& item : node.children) add(flowText(item));
-      return "[" + text + "]";
-    case YamlNode::Kind::map:
-      for (const YamlNode& entry : node.children) add(formatText(entry.key) + ": " + flowText(entry));
-      return "{" + text + "}";
-  }
-  return text;
-}
-
 const std::vector<CatalogEntry>& designs() {
   static const std::vector<CatalogEntry> table = {
       {"grid", "every combination of the values of all axes"},
       {"random", "each axis by itself, evenly distributed"},
       {"latin_hypercube", "random, with every share of each axis hit once"},
       {"sobol", "a Sobol sequence: evenly spread in all axes together"},
+  };
+  return table;
+}
+
+const std::vector<CatalogEntry>& keeps() {
+  static const std::vector<CatalogEntry> table = {
+      {"metrics", "the row of the table, and curves"},
+      {"results", "besides, the result file of each simulation"},
   };
   return table;
 }
@@ -99,6 +90,19 @@ void readValue(const YamlNode& node, const std::string& path, AxisGroup& group) 
 }
 
 template <class Io>
+void describe(Io& io, SweepCurves& curves) {
+  io.required("quantities", curves.quantities);
+  io.required("every_s", curves.every_s);
+  io.field("until_s", curves.until_s);
+}
+
+template <class Io>
+void describe(Io& io, SweepLimits& limits) {
+  io.field("time_s", limits.time_s);
+  io.field("memory_mb", limits.memory_mb);
+}
+
+template <class Io>
 void describe(Io& io, SweepSettings& sweep) {
   io.required("format", sweep.format);
   io.required("name", sweep.name);
@@ -111,6 +115,10 @@ void describe(Io& io, SweepSettings& sweep) {
   const bool sampled = sweep.design != SweepDesign::grid;
   io.fieldIf(sampled, "design random, latin_hypercube or sobol", "count", sweep.count);
   io.fieldIf(sampled, "design random, latin_hypercube or sobol", "seed", sweep.seed);
+  io.field("repeats", sweep.repeats);
+  io.choice("keep", sweep.keep, keeps());
+  io.field("curves", sweep.curves);
+  io.field("limits", sweep.limits);
 }
 
 namespace {
@@ -122,12 +130,16 @@ class SweepChecker {
   void check() {
     if (sweep_.format != 1)
       failAt(root_.find("format")->origin, "format is " + std::to_string(sweep_.format) + ", expected 1");
+    if (!isName(sweep_.name))
+      failAt(root_.find("name")->origin,
+             "name is \"" + sweep_.name + "\", expected 1 to 64 letters, digits, '_' and '-'");
     const YamlNode& groups = *root_.find("axes");
     if (sweep_.axes.empty()) failAt(groups.origin, "axes is empty, expected at least one");
     for (std::size_t g = 0; g < sweep_.axes.size(); ++g) checkGroup(groups.children[g], sweep_.axes[g]);
     for (std::size_t i = 0; i < sweep_.exclude.size(); ++i)
       for (std::size_t c = 0; c < sweep_.exclude[i].size(); ++c)
         checkCondition(root_.find("exclude")->children[i].children[c], sweep_.exclude[i][c]);
+    checkRest();
     if (sweep_.design == SweepDesign::grid) return;
     for (const char* key : {"count", "seed"})
       if (!root_.find(key))
@@ -143,6 +155,28 @@ class SweepChecker {
   static std::size_t length(const SweepAxis& axis) {
     if (axis.values) return axis.values->size();
     return static_cast<std::size_t>(axis.linear ? axis.linear->count : axis.logarithmic->count);
+  }
+
+  void checkRest() const {
+    const auto expect = [&](bool holds, const char* section, const char* key, double value,
+                            const char* expected) {
+      if (holds) return;
+      const YamlNode* node = root_.find(section);
+      if (*key) node = node->find(key);
+      failAt(node->origin, std::string(section) + (*key ? "." : "") + key + " is " + formatReal(value) +
+                               ", expected " + expected);
+    };
+    expect(sweep_.repeats >= 1, "repeats", "", sweep_.repeats, "at least 1");
+    if (const auto& time_s = sweep_.limits.time_s)
+      expect(*time_s > 0, "limits", "time_s", *time_s, "a number above 0");
+    if (const auto& memory_mb = sweep_.limits.memory_mb)
+      expect(*memory_mb > 0, "limits", "memory_mb", *memory_mb, "a number above 0");
+    if (!sweep_.curves) return;
+    const double every_s = sweep_.curves->every_s;
+    expect(every_s > 0, "curves", "every_s", every_s, "a number above 0");
+    const double until_s = sweep_.curves->until_s.value_or(every_s);
+    expect(until_s >= every_s, "curves", "until_s", until_s, "at least every_s");
+    expect(until_s / every_s < 1e6, "curves", "until_s", until_s, "fewer than a million times");
   }
 
   void checkGroup(const YamlNode& node, const AxisGroup& group) {
@@ -194,8 +228,10 @@ class SweepChecker {
 }  // namespace
 
 SweepSettings loadSweep(const std::filesystem::path& file) {
-  const YamlNode root = parseYaml(readTextFile(file), {file.string(), 1});
   SweepSettings sweep;
+  sweep.source = readTextFile(file);
+  const YamlNode root = parseYaml(sweep.source, {file.string(), 1});
+  if (root.kind == YamlNode::Kind::nothing) failAt({file.string(), 1}, "empty, expected a sweep");
   readValue(root, "", sweep);
   SweepChecker(root, sweep).check();
   const std::filesystem::path parent = file.parent_path();

@@ -37,6 +37,22 @@ struct SweepCondition {
 
 enum class SweepDesign { grid, random, latin_hypercube, sobol };
 
+/// Quantities over a common time.
+struct SweepCurves {
+  std::vector<std::string> quantities;  ///< names in curveQuantities(), or of series with one value a step
+  double every_s = 0;                   ///< > 0
+  std::optional<double> until_s;        ///< >= every_s; default: as long as the base scenario runs
+};
+
+/// What each simulation of a sweep may take.
+struct SweepLimits {
+  std::optional<double> time_s;     ///< wall clock; default: what the scenario's pipelines say
+  std::optional<double> memory_mb;  ///< of data a worker may hold, MiB
+};
+
+/// What is kept of each simulation beside its row of the table.
+enum class SweepKeep { metrics, results };
+
 /// What a sweep file says.
 struct SweepSettings {
   int format = 1;
@@ -49,6 +65,11 @@ struct SweepSettings {
   SweepDesign design = SweepDesign::grid;
   std::optional<int> count;         ///< points of the other designs
   std::optional<int> seed;          ///< of the other designs
+  int repeats = 1;                  ///< of every simulation: for its timings, and to see that all else is equal
+  SweepKeep keep = SweepKeep::metrics;
+  std::optional<SweepCurves> curves;
+  SweepLimits limits;
+  std::string source;               ///< the file, verbatim
   std::filesystem::path directory;  ///< of the sweep file
 };
 

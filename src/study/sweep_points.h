@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "study/sweep_file.h"
@@ -13,16 +14,23 @@ namespace fissure {
 /// are Boost's, which are defined to the last bit.
 class SweepPoints {
  public:
+  SweepPoints() = default;  ///< none
   /// Makes them all. Look at designed() first.
   explicit SweepPoints(const SweepSettings& settings);
+  /// Those that others made: `points` holds, row by row, which of `texts` each axis has.
+  SweepPoints(std::vector<std::string> paths, std::vector<std::string> texts, std::vector<std::size_t> points)
+      : paths_(std::move(paths)), texts_(std::move(texts)), points_(std::move(points)) {}
 
   /// Paths of the axes, in the order of the file, zipped ones after each other.
   const std::vector<std::string>& paths() const { return paths_; }
-  std::size_t size() const { return points_.size() / paths_.size(); }
+  std::size_t size() const { return paths_.empty() ? 0 : points_.size() / paths_.size(); }
   /// YAML of the value of axis `axis` at a point.
   const std::string& value(std::size_t point, std::size_t axis) const {
     return texts_[points_[point * paths_.size() + axis]];
   }
+
+  const std::vector<std::string>& texts() const { return texts_; }    ///< those that value() picks from
+  const std::vector<std::size_t>& indices() const { return points_; }  ///< row by row: of texts()
 
   /// How many points the design has, with those that are excluded: a double, because a grid may have more
   /// than fit anywhere.

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "process/descriptor.h"
+
+namespace fissure {
+
+/// What one process has finished of a sweep: a file of its own in `<sweep's folder>/journals`, to which
+/// records are only appended. A writer that is killed leaves all records but perhaps the last one whole; that
+/// one fails its checksum. While the writer lives it holds a lock on its file.
+class JournalWriter {
+ public:
+  /// Makes the file, under a name that no other has. Throws RunError.
+  explicit JournalWriter(const std::filesystem::path& folder);
+  ~JournalWriter();  ///< removes the file when nothing is in it
+  JournalWriter(const JournalWriter&) = delete;
+  JournalWriter& operator=(const JournalWriter&) = delete;
+
+  /// Throws RunError ("is the disk full?"); what came before stays whole then.
+  void append(const std::string& record);
+  /// Makes what was appended survive a loss of power; does nothing when that was done less than `every_s` ago.
+  void sync(double every_s);
+
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+  Descriptor file_;
+  std::int64_t size_ = 0;
+  double synced_s_ = 0;
+};
+
+/// Where a record stands.
+struct JournalPlace {
+  std::size_t journal = 0;  ///< of Journals::files()
+  std::int64_t offset = 0;
+};
+
+/// All journals of a sweep, read as they are at this moment.
+class Journals {
+ public:
+  /// No folder is no journal. Throws RunError when one cannot be read.
+  explicit Journals(const std::filesystem::path& folder);
+
+  const std::vector<std::filesystem::path>& files() const { return files_; }
+  /// Every whole record, journal by journal. After one that is damaged or torn the rest of its journal is
+  /// left out, because nobody knows where the next begins: see damaged().
+  void each(const std::function<void(const std::string& record, const JournalPlace& place)>& take);
+  /// Throws RunError when it is no longer there.
+  std::string read(const JournalPlace& place) const;
+  /// Journals with bytes after their last whole record, which their writer did not live to finish, or which
+  /// somebody damaged; known after each().
+  const std::vector<std::filesystem::path>& damaged() const { return damaged_; }
+
+  /// Folders for the work of processes that are gone, `<journal without .journal>.work`, are removed.
+  static void removeLeftovers(const std::filesystem::path& folder);
+
+ private:
+  std::vector<std::filesystem::path> files_;
+  std::vector<std::filesystem::path> damaged_;
+};
+
+}  // namespace fissure

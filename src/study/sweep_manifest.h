@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "study/sweep_file.h"
+#include "study/sweep_points.h"
+
+namespace fissure {
+
+/// All that fixes what a sweep computes, in one file: manifest.json of its folder.
+struct SweepManifest {
+  SweepSettings settings;                    ///< `axes` and `exclude` are in `points`, and not kept
+  std::string scenario;                      ///< LoadedScenario::composed of the base
+  std::string directory;                     ///< where its file names start, from the sweep's folder
+  std::map<std::string, std::string> inputs;   ///< meshes and logs, named from `directory`, and their hashes
+  std::map<std::string, std::string> engines;  ///< hash of the worker program, by its precision
+  std::vector<std::string> pipelines;        ///< names of the entries that are run
+  SweepPoints points;
+};
+
+/// `<folder>/manifest.json`.
+std::filesystem::path manifestFile(const std::filesystem::path& folder);
+
+/// The manifest as text.
+std::string manifestText(const SweepManifest& manifest);
+
+/// Throws InputError: no such file, damaged, of a newer version.
+SweepManifest readManifest(const std::filesystem::path& folder);
+
+}  // namespace fissure

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "base/record_sink.h"
+
+namespace fissure {
+
+/// What one simulation of a sweep gave, a row a set of force laws.
+struct TaskNumbers {
+  std::vector<std::string> names;            ///< of the summary's numbers, without timing
+  std::size_t rows = 0;
+  std::vector<double> values;                ///< row by row
+  std::vector<double> curves;                ///< row by row, all of a row one after the other
+  std::map<std::string, std::string> texts;  ///< of the summary: the same in all rows
+};
+
+/// One record of a journal.
+struct TaskRecord {
+  std::string task;  ///< SweepTask::id
+  RunStatus status;
+  /// encodeNumbers() of what the simulation gave; empty when it gave nothing. Equal bytes are equal numbers.
+  std::string numbers;
+  std::map<std::string, double> timing;  ///< "timing/...": may differ between two runs
+  std::string file;                      ///< of the result, from the sweep's folder on; "" where none is kept
+  long long file_bytes = 0;
+  long long file_time = 0;  ///< when it was last changed, as the file system counts
+
+  /// Whether the simulation came to its end: the same task would give the same numbers again.
+  bool finished() const { return status.status == "ok" || status.status == "non_finite"; }
+};
+
+std::string encodeNumbers(const TaskNumbers& numbers);
+/// Throws RunError on bytes that encodeNumbers() did not make.
+TaskNumbers decodeNumbers(const std::string& bytes);
+
+std::string encodeRecord(const TaskRecord& record);
+/// Throws RunError on bytes that encodeRecord() did not make.
+TaskRecord decodeRecord(const std::string& bytes);
+
+}  // namespace fissure
