@@ -39,6 +39,16 @@ struct ForceSample {
   double rate_max_m_s = 0, rate_min_m_s = 0, rate_mean_m_s = 0;  ///< positive while deformation grows
 };
 
+/// What a force law sees of one colliding triangle; its force on the tools is its magnitude (per area: times
+/// the area) x direction.
+struct LawInput {
+  double deformation_m = 0;  ///< x, by the law's kind of deformation
+  double rate_m_s = 0;       ///< x', by the law's source of rates; positive while x grows
+  double area_m2 = 0;        ///< of the triangle at rest
+  /// Force on the tools together, one newton of the law; at most 1 long, as opposing contacts cancel.
+  Vec3 direction = Vec3::Zero();
+};
+
 /// Wall time of one step, microseconds; NaN for the initial state.
 struct StepTiming {
   double step_us = 0;       ///< the whole step: Bullet's and ours, without measuring and writing
@@ -75,6 +85,8 @@ struct State {
   /// laws. What each gives the tools together: triangle x number of laws + law.
   std::vector<int> colliding_triangles;
   std::vector<Vec3> triangle_forces_N;
+  /// What each law saw of each: triangle x number of laws + law; empty unless the scenario asks for it.
+  std::vector<LawInput> law_inputs;
   StepTiming timing;
 };
 

@@ -1,6 +1,7 @@
 #include "contact/force_law.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace fissure {
 
@@ -59,6 +60,14 @@ std::unique_ptr<ForceLaw> makeKelvinVoigt(double k, double c) {
 
 std::unique_ptr<ForceLaw> makeLinearElastic(double k) {
   return std::make_unique<LinearElastic>(k);
+}
+
+std::unique_ptr<ForceLaw> makeForceLaw(const std::string& model, const ForceCoefficients& coefficients) {
+  const auto& [k, lambda, n, c] = coefficients;
+  if (model == "hunt_crossley") return makeHuntCrossley(k, lambda, n);
+  if (model == "kelvin_voigt") return makeKelvinVoigt(k, c);
+  if (model == "linear_elastic") return makeLinearElastic(k);
+  throw std::invalid_argument("no force law '" + model + "' in this engine");
 }
 
 }  // namespace fissure

@@ -31,4 +31,13 @@ std::unique_ptr<ForceLaw> makeKelvinVoigt(double k, double c);
 /// F = k x, k in N/m: the default model that the paper replaced.
 std::unique_ptr<ForceLaw> makeLinearElastic(double k);
 
+/// Of all models; each reads those of its formula.
+struct ForceCoefficients {
+  double k = 0, lambda = 0, n = 1, c = 0;
+};
+
+/// The law of that name: "hunt_crossley", "kelvin_voigt", "linear_elastic". Throws std::invalid_argument for
+/// another.
+std::unique_ptr<ForceLaw> makeForceLaw(const std::string& model, const ForceCoefficients& coefficients);
+
 }  // namespace fissure

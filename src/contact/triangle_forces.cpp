@@ -33,8 +33,9 @@ void addStatistics(double deformation_m, double rate_m_s, bool first, ForceSampl
 
 }  // namespace
 
-TriangleForces::TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws, double step_s)
-    : laws_(std::move(laws)), tool_count_(scene.tools.size()) {
+TriangleForces::TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws, double step_s,
+                               bool keeps_inputs)
+    : laws_(std::move(laws)), tool_count_(scene.tools.size()), keeps_inputs_(keeps_inputs) {
   for (const TriangleLaw& law : laws_) asked_[index(law.deformation)][index(law.rate)] = true;
   for (const DeformationKind kind : kKinds) {
     std::vector<RateSource> sources;
@@ -42,8 +43,8 @@ TriangleForces::TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws
       if (asked_[index(kind)][index(source)]) sources.push_back(source);
     if (!sources.empty()) deformations_.emplace_back(scene, kind, sources, step_s);
   }
-  const bool areas =
-      std::any_of(laws_.begin(), laws_.end(), [](const TriangleLaw& law) { return law.per_area; });
+  const bool areas = keeps_inputs || std::any_of(laws_.begin(), laws_.end(),
+                                                 [](const TriangleLaw& law) { return law.per_area; });
   for (const SceneBody& body : scene.bodies) {
     for (const Face& face : body.rest.faces) {
       const int first = body.first_vertex;
@@ -60,6 +61,7 @@ void TriangleForces::evaluate(const ContactPatch& patch, State& state) {
   state.tool_forces_N.assign(laws_.size() * tool_count_, Vec3::Zero());
   state.colliding_triangles.clear();
   state.triangle_forces_N.clear();
+  state.law_inputs.clear();
   for (TriangleDeformation& deformation : deformations_) deformation.update(state);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
     const Face& face = faces_[i];
@@ -68,6 +70,7 @@ void TriangleForces::evaluate(const ContactPatch& patch, State& state) {
     shareAmongTools(patch, i);
     measure(i, state);
     for (std::size_t law = 0; law < laws_.size(); ++law) addForce(law, i, state);
+    if (keeps_inputs_) addInputs(i, state);
     state.colliding_triangles.push_back(static_cast<int>(i));
   }
   for (std::size_t law = 0; law < laws_.size(); ++law) {
@@ -133,6 +136,16 @@ void TriangleForces::addForce(std::size_t law, std::size_t triangle, State& stat
     const Vec3 on_tissue_N = area * (force.elastic_N + force.viscous_N) * share.part * share.direction;
     state.tool_forces_N[law * tool_count_ + share.tool] -= on_tissue_N;
     of_triangle_N -= on_tissue_N;
+  }
+}
+
+void TriangleForces::addInputs(std::size_t triangle, State& state) const {
+  Vec3 direction = Vec3::Zero();
+  for (const Share& share : shares_) direction -= share.part * share.direction;
+  for (const TriangleLaw& law : laws_) {
+    const Measured& measured = measured_[index(law.deformation)];
+    state.law_inputs.push_back(
+        {measured.deformation_m, measured.rates_m_s[index(law.rate)], rest_areas_m2_[triangle], direction});
   }
 }
 

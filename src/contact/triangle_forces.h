@@ -27,10 +27,11 @@ struct TriangleLaw {
 /// without a contact of its own takes the contacts at its vertices, weighted.
 class TriangleForces {
  public:
-  TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws, double step_s);
+  /// `keeps_inputs`: fills state.law_inputs too.
+  TriangleForces(const Scene& scene, std::vector<TriangleLaw> laws, double step_s, bool keeps_inputs = false);
 
-  /// Once a step: fills state.forces, one entry a law, tool_forces_N, colliding_triangles and
-  /// triangle_forces_N: forces ON THE TOOLS, newtons.
+  /// Once a step: fills state.forces, one entry a law, tool_forces_N, colliding_triangles, triangle_forces_N
+  /// and, where they are kept, law_inputs: forces ON THE TOOLS, newtons.
   void evaluate(const ContactPatch& patch, State& state);
 
   /// Best fits of a rigid motion made so far: none unless a law is corotated, else one a body and step.
@@ -53,11 +54,13 @@ class TriangleForces {
   void shareAmongTools(const ContactPatch& patch, std::size_t triangle);
   void measure(std::size_t triangle, const State& state);
   void addForce(std::size_t law, std::size_t triangle, State& state) const;
+  void addInputs(std::size_t triangle, State& state) const;
 
   std::vector<TriangleLaw> laws_;
   std::size_t tool_count_;
-  std::vector<Face> faces_;                        ///< all bodies, vertex indices into State arrays
-  std::vector<double> rest_areas_m2_;              ///< empty unless a law is per area
+  std::vector<Face> faces_;  ///< all bodies, vertex indices into State arrays
+  bool keeps_inputs_;
+  std::vector<double> rest_areas_m2_;              ///< empty unless a law is per area or inputs are kept
   std::vector<TriangleDeformation> deformations_;  ///< one a kind that a law asks for
   std::array<std::array<bool, 2>, 2> asked_{};     ///< by kind and rate source
   std::array<Measured, 2> measured_;               ///< by kind, of one triangle

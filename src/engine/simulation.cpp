@@ -43,18 +43,11 @@ std::string engineVersion() {
 
 namespace {
 
-std::unique_ptr<ForceLaw> makeForceLaw(const ForceSettings& law) {
-  if (law.model == "hunt_crossley") return makeHuntCrossley(law.k, law.lambda, law.n);
-  if (law.model == "kelvin_voigt") return makeKelvinVoigt(law.k, law.c);
-  if (law.model == "linear_elastic") return makeLinearElastic(law.k);
-  throw std::invalid_argument("no force law '" + law.model + "' in this engine");
-}
-
 std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
   std::vector<TriangleLaw> laws;
   for (const ForceSettings& law : settings) {
     laws.push_back(
-        {.law = makeForceLaw(law),
+        {.law = makeForceLaw(law.model, {.k = law.k, .lambda = law.lambda, .n = law.n, .c = law.c}),
          .rate = law.rate == "velocities" ? RateSource::velocities : RateSource::differences,
          .deformation = law.deformation == "corotated" ? DeformationKind::corotated : DeformationKind::paper,
          .per_area = law.per_area});
@@ -85,7 +78,8 @@ class BulletSimulation : public Simulation {
                                            factory.configuration ? factory.configuration() : nullptr);
     pipeline_ = factory.make({scenario, settings, scene, *world_, first_poses});
     if (!scenario.force.empty())
-      forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_);
+      forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_,
+                                                 scenario.record.force_inputs);
     for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
     patch_.resize(scene.vertexCount(), scene.faceCount(), scenario.force.empty() ? 0 : scene.tools.size());
     patch_.clear();

@@ -132,6 +132,7 @@ template <class Io>
 void describe(Io& io, RecordSettings& r) {
   io.field("snapshots_every_s", r.snapshots_every_s);
   io.field("frames", r.frames);
+  io.field("force_inputs", r.force_inputs);
 }
 
 template <class Io>

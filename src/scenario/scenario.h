@@ -66,6 +66,9 @@ struct FrameSettings {
 struct RecordSettings {
   std::optional<double> snapshots_every_s;  ///< vertex positions; default: none kept
   std::optional<FrameSettings> frames;      ///< default: none drawn, no renderer loaded
+  /// What the force laws see of each colliding triangle in each step, so that other laws can be evaluated
+  /// without simulating again; needs a force law.
+  bool force_inputs = false;
 
   bool operator==(const RecordSettings&) const = default;
 };

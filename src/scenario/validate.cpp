@@ -103,6 +103,8 @@ void checkPeriod(Checker check, const std::string& key, double every_s, double s
 /// What is recorded how often against step and duration (if known). Takes good values.
 void checkAmounts(Checker check, const Scenario& scenario, std::optional<double> duration_s) {
   const RecordSettings& record = scenario.record;
+  check.require(!record.force_inputs || !scenario.force.empty(), "force_inputs",
+                "is true, but the scenario has no force law, expected one in `force`");
   if (record.frames) {
     checkPeriod(check, "frames.every_s", record.frames->every_s, scenario.time.step_s);
     const double pictures = std::floor(duration_s.value_or(0) / record.frames->every_s);

@@ -20,12 +20,12 @@ class TriangleForcesTest : public testing::Test {
     patch.resize(scene.vertexCount(), scene.faceCount(), 1);
     patch.clear();
   }
-  TriangleForces forces() {
+  TriangleForces forces(bool keeps_inputs = false) {
     std::vector<TriangleLaw> laws;
     laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::velocities});
     laws.push_back({makeLinearElastic(100)});
     laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::differences});
-    return TriangleForces(scene, std::move(laws), 0.001);
+    return TriangleForces(scene, std::move(laws), 0.001, keeps_inputs);
   }
   void touchFace(int face, const Vec3& normal) {
     patch.touchFace(0, face, normal, 1);

@@ -84,6 +84,11 @@ TEST(Validate, PipelinesForcesAndRecords) {
       {"force.hc.deformation", [](Scenario& s) { s.force[0].deformation = "rigid"; }},
       {"record.snapshots_every_s", [](Scenario& s) { s.record.snapshots_every_s = 0.0009; }},
       {"record.snapshots_every_s", [](Scenario& s) { s.record.snapshots_every_s = nan; }},
+      {"record.force_inputs",
+       [](Scenario& s) {
+         s.record.force_inputs = true;
+         s.force.clear();
+       }},
       {"record.frames.every_s", [](Scenario& s) { s.record.frames->every_s = 0; }},
       {"record.frames.size_px", [](Scenario& s) { s.record.frames->width_px = 15; }},
       {"record.frames.size_px", [](Scenario& s) { s.record.frames->height_px = 4097; }},

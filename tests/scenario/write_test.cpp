@@ -104,6 +104,7 @@ const char* const every_field =
     "    every_s: 0.04\n"
     "    size_px: [320, 240]\n"
     "    camera: {position_m: [1, 1, 1], look_at_m: [0, 1, 0], up: [0, 0, 1], field_of_view_deg: 50}\n"
+    "  force_inputs: true\n"
     "measure: {sample_spacing_m: 0.0004}\n"
     "expect:\n"
     "  - {quantity: max_penetration_depth_m, pipeline: b, value: 0.1, tolerance: 0.01, min: 0.05, max: "
@@ -168,7 +169,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                 {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"},
                 {"kelvin_voigt", "kelvin_voigt", 203, 50, 1.3, "velocities", 3, "corotated", true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
-  EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}}));
+  EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}, true}));
   EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
   EXPECT_EQ(s.tools[0].force_limit_N, 7.5);
   EXPECT_EQ(s.tools[1].force_limit_N, std::nullopt);
