@@ -5,14 +5,20 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <new>
+#include <optional>
 
 #include "base/error.h"
 #include "engine/simulation.h"
+#include "main/scenario_input.h"
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
 #include "scenario/load.h"
+#include "scenario/text_file.h"
 #include "store/part_file.h"
+#include "study/run_recorder.h"
+#include "study/task_order.h"
 
 namespace {
 
@@ -39,51 +45,123 @@ class ProgressLines {
   std::chrono::steady_clock::time_point last_{};
 };
 
+void checkPrecision(const PipelineSettings& pipeline) {
+  if (pipeline.precision != enginePrecision())
+    throw InputError("the entry '" + pipeline.name + "' wants precision " + pipeline.precision +
+                     ", this worker is " + enginePrecision());
+}
+
+/// One run into whatever `make_sink` makes from its layout.
+class RunningRun {
+ public:
+  RunningRun(const LoadedScenario& loaded, const PipelineSettings& pipeline)
+      : loaded_(loaded), pipeline_(pipeline), run_(loaded.scenario, pipeline) {
+    probes_ = makeProbes(loaded.scenario, run_.scene());
+    layout_ = Run::declareLayout(probes_);
+  }
+
+  const RecordLayout& layout() const { return layout_; }
+  void add(std::unique_ptr<Probe> probe) { probes_.push_back(std::move(probe)); }
+
+  std::unique_ptr<RecordSink> makePart(const std::string& part) const {
+    return createPartFile(part, {.scenario = loaded_.scenario,
+                                 .pipeline = pipeline_,
+                                 .scene = run_.scene(),
+                                 .layout = layout_,
+                                 .expected_rows = static_cast<std::size_t>(run_.stepCount() + 1),
+                                 .scenario_resolved = loaded_.resolved});
+  }
+
+  void execute(RecordSink& sink) {
+    const auto renderer = [&](const State& first) {
+      return makeOffscreenRenderer(run_.scene(), *loaded_.scenario.record.frames, first);
+    };
+    run_.execute({.sink = sink,
+                  .probes = probes_,
+                  .layout = layout_,
+                  .make_frame_source = renderer,
+                  .progress = ProgressLines()});
+  }
+
+ private:
+  const LoadedScenario& loaded_;
+  const PipelineSettings& pipeline_;
+  Run run_;
+  std::vector<std::unique_ptr<Probe>> probes_;
+  RecordLayout layout_;
+};
+
 void work(const std::string& file, const std::string& directory, const std::string& name,
           const std::string& part) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw InputError(file + ": cannot be read");
-  const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
   // As if the file stood where the user's did, so that relative names mean the same.
   const LoadedScenario loaded =
-      parseScenario(text, std::filesystem::path(directory) / std::filesystem::path(file).filename());
-  const Scenario& scenario = loaded.scenario;
-  const PipelineSettings& pipeline = findPipeline(scenario, name);
-  if (pipeline.precision != enginePrecision())
-    throw InputError("the entry '" + name + "' wants precision " + pipeline.precision + ", this worker is " +
-                     enginePrecision());
-  Run run(scenario, pipeline);
-  auto probes = makeProbes(scenario, run.scene());
-  const RecordLayout layout = Run::declareLayout(probes);
-  const auto sink = createPartFile(part, {.scenario = scenario,
-                                          .pipeline = pipeline,
-                                          .scene = run.scene(),
-                                          .layout = layout,
-                                          .expected_rows = static_cast<std::size_t>(run.stepCount() + 1),
-                                          .scenario_resolved = loaded.resolved});
-  const auto renderer = [&](const State& first) {
-    return makeOffscreenRenderer(run.scene(), *scenario.record.frames, first);
-  };
-  run.execute({.sink = *sink,
-               .probes = probes,
-               .layout = layout,
-               .make_frame_source = renderer,
-               .progress = ProgressLines()});
+      parseScenario(readTextFile(file), std::filesystem::path(directory) / std::filesystem::path(file).filename());
+  const PipelineSettings& pipeline = findPipeline(loaded.scenario, name);
+  checkPrecision(pipeline);
+  RunningRun run(loaded, pipeline);
+  const auto sink = run.makePart(part);
+  run.execute(*sink);
+}
+
+/// The scenario of an order, checked as the front checks those that it runs itself.
+CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
+  const std::filesystem::path file = order.directory / order.name;
+  LoadedScenario loaded = parseScenario(order.scenario, file, order.overrides);
+  RecordSettings& record = loaded.scenario.record;
+  if (!with_part) record = {};
+  record.force_inputs |= !order.laws.empty();
+  return checkLoaded(order.name, std::move(loaded),
+                     {.pipelines = {order.pipeline}, .frames = with_part, .expectations = false});
+}
+
+/// One simulation of a sweep: its record, and its part where a result is kept.
+void workToOrder(const std::string& order_file, const std::string& record, const std::string& part) {
+  const TaskOrder order = parseOrder(readTextFile(order_file));
+  const CheckedScenario checked = scenarioOf(order, !part.empty());
+  const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
+  checkPrecision(pipeline);
+  RunningRun run(checked.loaded, pipeline);
+  RunRecorder::Settings settings;
+  if (order.curves) {
+    settings.curves = curveQuantities(order.curves->quantities, run.layout(), "curves.quantities");
+    settings.times_s = curveTimes_s(*order.curves);
+  }
+  std::optional<LawStatistics> laws;
+  if (!order.laws.empty()) {
+    settings.laws = &laws.emplace(order.laws, checked.loaded.scenario.force);
+    run.add(std::make_unique<LawStatisticsProbe>(*laws));
+  }
+  std::unique_ptr<RecordSink> sink;
+  if (!part.empty()) sink = run.makePart(part);
+  settings.next = sink.get();
+  RunRecorder recorder(run.layout(), settings);
+  run.execute(recorder);
+  std::ofstream stream(record, std::ios::binary);
+  stream << encodeRecord(recorder.record());
+  if (!stream.flush()) throw RunError(record + ": cannot write, is the disk full?");
 }
 
 int parseAndWork(int argc, const char* const* argv) {
   CLI::App app("fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
-  std::string scenario, directory, pipeline, part;
-  app.add_option("--scenario", scenario, "scenario file, resolved")->required();
-  app.add_option("--directory", directory, "where the scenario's relative file names start")->required();
-  app.add_option("--pipeline", pipeline, "name of the pipeline entry to run")->required();
-  app.add_option("--part", part, "part file to write")->required();
+  std::string scenario, directory, pipeline, part, order, record;
+  app.add_option("--scenario", scenario, "scenario file, resolved");
+  app.add_option("--directory", directory, "where the scenario's relative file names start");
+  app.add_option("--pipeline", pipeline, "name of the pipeline entry to run");
+  app.add_option("--part", part, "part file to write");
+  app.add_option("--order", order, "instead of a scenario: file with a simulation of a sweep");
+  app.add_option("--record", record, "file for the sweep's record of it");
   try {
     app.parse(argc, argv);
+    if (order.empty() ? scenario.empty() || directory.empty() || pipeline.empty() || part.empty()
+                      : record.empty())
+      throw CLI::RequiredError("--scenario, --directory, --pipeline and --part, or --order and --record");
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  work(scenario, directory, pipeline, part);
+  if (order.empty())
+    work(scenario, directory, pipeline, part);
+  else
+    workToOrder(order, record, part);
   return 0;
 }
 
@@ -95,6 +173,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
     return 2;
+  } catch (const std::bad_alloc&) {
+    std::cerr << "error: out of memory\n";
+    return 3;
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
     return 3;

@@ -26,12 +26,17 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
   return row_bytes * static_cast<double>(checked.steps + 1);
 }
 
-RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
-  const Scenario& scenario = checked.loaded.scenario;
-  const Scene scene = buildScene(scenario, pipeline.usesNodes());
+RecordLayout layoutIn(const Scenario& scenario, const Scene& scene) {
   RecordLayout layout;
   layout.add({"time", "s", "simulated time", ValueType::real, {}});
   for (const auto& probe : makeProbes(scenario, scene)) probe->declare(layout);
+  return layout;
+}
+
+RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const Scene scene = buildScene(scenario, pipeline.usesNodes());
+  const RecordLayout layout = layoutIn(scenario, scene);
 
   RunPlan plan;
   plan.pipeline = &pipeline;
@@ -56,6 +61,10 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
 }
 
 }  // namespace
+
+RecordLayout layoutOf(const Scenario& scenario, const PipelineSettings& pipeline) {
+  return layoutIn(scenario, buildScene(scenario, pipeline.usesNodes()));
+}
 
 std::vector<RunPlan> planRuns(const CheckedScenario& checked) {
   std::vector<RunPlan> plans;

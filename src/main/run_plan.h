@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/record.h"
 #include "main/scenario_input.h"
 
 namespace fissure {
@@ -23,6 +24,9 @@ struct RunPlan {
 
   double bytes() const { return record_bytes + snapshot_bytes + frame_bytes; }
 };
+
+/// The series of a run's record.
+RecordLayout layoutOf(const Scenario& scenario, const PipelineSettings& pipeline);
 
 /// One plan a pipeline entry. `checked` must outlive them.
 std::vector<RunPlan> planRuns(const CheckedScenario& checked);

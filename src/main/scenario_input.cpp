@@ -203,7 +203,12 @@ double longestMotion_s(const Scenario& scenario) {
 }  // namespace
 
 CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection) {
-  CheckedScenario checked{file, loadScenario(file, parseOverrides(selection.overrides)), 0, 0, {}};
+  return checkLoaded(file, loadScenario(file, parseOverrides(selection.overrides)), selection);
+}
+
+CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded,
+                            const Selection& selection) {
+  CheckedScenario checked{file, std::move(loaded), 0, 0, {}};
   Scenario& scenario = checked.loaded.scenario;
   select(selection.pipelines, checked);
   if (!selection.frames) scenario.record.frames.reset();

@@ -47,4 +47,8 @@ struct CheckedScenario {
 /// replayed tools, the duration. Meshes are read apart first. Throws InputError, BadSurfaces.
 CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection = {});
 
+/// The same for a scenario that is loaded already; `selection.overrides` is not looked at. `file` is used in
+/// messages.
+CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded, const Selection& selection);
+
 }  // namespace fissure

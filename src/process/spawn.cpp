@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,7 +43,7 @@ void setWorkerSignals() {
 /// Runs in the child, between fork and exec: system calls only. Returns only when exec failed, with errno
 /// set.
 void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pipe& errors,
-                  char* const* arguments) {
+                  const rlimit& memory, char* const* arguments) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
   if (::getppid() != parent) ::_exit(1);  // it died before the line above
   const int read = input.reading.open() ? input.reading.number() : ::open("/dev/null", O_RDONLY);
@@ -50,6 +51,7 @@ void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pip
   if (::dup2(output.writing.number(), STDOUT_FILENO) < 0) return;
   if (::dup2(errors.writing.number(), STDERR_FILENO) < 0) return;
   if (::close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC) != 0) return;
+  if (memory.rlim_cur > 0 && ::setrlimit(RLIMIT_DATA, &memory) != 0) return;
   setWorkerSignals();
   ::execv(arguments[0], arguments);
 }
@@ -72,7 +74,8 @@ SpawnedProcess spawn(const WorkerTask& task) {
   const pid_t process = ::fork();
   if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
   if (process == 0) {
-    becomeWorker(parent, input, output, errors, arguments.data());
+    const auto bytes = static_cast<rlim_t>(task.memory_limit_mb * 1048576);
+    becomeWorker(parent, input, output, errors, {bytes, bytes}, arguments.data());
     const int reason = errno;
     const ssize_t written = ::write(failure.writing.number(), &reason, sizeof reason);
     ::_exit(written == sizeof reason ? 127 : 126);

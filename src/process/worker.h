@@ -21,6 +21,7 @@ struct WorkerTask {
   std::filesystem::path program;
   std::vector<std::string> arguments;  ///< without the program's name; passed on as they are, no shell
   double time_limit_s = 3600;          ///< wall clock, from its start
+  double memory_limit_mb = 0;          ///< MiB of data it may hold (RLIMIT_DATA); 0: no limit
   bool fed = false;  ///< reads what it is given (FedProcess); otherwise there is nothing to read
 };
 

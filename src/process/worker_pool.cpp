@@ -9,13 +9,14 @@
 
 namespace fissure {
 
-void WorkerPool::run(const std::vector<WorkerTask>& tasks, PoolObserver& observer) {
+void WorkerPool::run(std::size_t tasks, const std::function<WorkerTask(std::size_t)>& make,
+                     PoolObserver& observer) {
   next_ = 0;
   running_.clear();
   try {
-    while (next_ < tasks.size() || !running_.empty()) {
-      if (interrupt_.requested()) return stopAll(tasks.size(), observer);
-      startMore(tasks, observer);
+    while (next_ < tasks || !running_.empty()) {
+      if (interrupt_.requested() || observer.wantsStop()) return stopAll(tasks, observer);
+      startMore(tasks, make, observer);
       if (!running_.empty()) wait();
       collect(observer);
       observer.woke();
@@ -26,11 +27,12 @@ void WorkerPool::run(const std::vector<WorkerTask>& tasks, PoolObserver& observe
   }
 }
 
-void WorkerPool::startMore(const std::vector<WorkerTask>& tasks, PoolObserver& observer) {
-  while (next_ < tasks.size() && running_.size() < static_cast<std::size_t>(std::max(1, slots_))) {
+void WorkerPool::startMore(std::size_t tasks, const std::function<WorkerTask(std::size_t)>& make,
+                           PoolObserver& observer) {
+  while (next_ < tasks && running_.size() < static_cast<std::size_t>(std::max(1, slots_))) {
     const std::size_t task = next_++;
     try {
-      running_.push_back({task, std::make_unique<Worker>(tasks[task]), {}});
+      running_.push_back({task, std::make_unique<Worker>(make(task)), {}});
     } catch (const RunError& error) {
       observer.finished(task, {"failed", error.what()});
       continue;

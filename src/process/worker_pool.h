@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -21,6 +22,8 @@ class PoolObserver {
   virtual void finished(std::size_t task, const RunStatus& status) = 0;
   /// Called whenever the pool woke up, at least about ten times a second: to refresh a display.
   virtual void woke() = 0;
+  /// Whether all that runs should be stopped and no more be started; asked after woke().
+  virtual bool wantsStop() const { return false; }
 };
 
 /// Runs tasks in processes of their own, a fixed number of them side by side, and watches them.
@@ -32,7 +35,11 @@ class WorkerPool {
 
   /// Runs all tasks, in order of their start, and returns when the last has ended. The observer hears every
   /// end at once; what it throws stops all workers and is passed on.
-  void run(const std::vector<WorkerTask>& tasks, PoolObserver& observer);
+  void run(const std::vector<WorkerTask>& tasks, PoolObserver& observer) {
+    run(tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
+  }
+  /// The same of tasks that are made when their turn comes; a RunError then is that task's end ("failed").
+  void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make, PoolObserver& observer);
 
  private:
   struct Running {
@@ -41,7 +48,8 @@ class WorkerPool {
     Progress seen;
   };
 
-  void startMore(const std::vector<WorkerTask>& tasks, PoolObserver& observer);
+  void startMore(std::size_t tasks, const std::function<WorkerTask(std::size_t)>& make,
+                 PoolObserver& observer);
   void wait() const;
   void collect(PoolObserver& observer);
   void stopAll(std::size_t tasks, PoolObserver& observer);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double slack = 1e-9;  // of a step: times that rounding made a little too long or short
 
-bool hasAxis(const Series& series, const char* axis) {
-  return !series.axes.empty() && series.axes.front() == axis;
-}
-
 }  // namespace
 
 std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names, const RecordLayout& layout,

@@ -53,8 +53,8 @@ std::string plainText(const std::string& text) {
 
 SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder)
     : manifest_(std::move(manifest)) {
-  const std::filesystem::path directory = folder / manifest_.directory;
-  base_ = parseScenario(manifest_.scenario, directory / (manifest_.settings.name + " (base)"));
+  base_ = parseStoredScenario(manifest_.scenario);
+  base_.scenario.directory = (folder / manifest_.directory).lexically_normal();
   sortAxes();
   std::unordered_map<std::string, std::size_t> seen;
   for (const std::string& text : manifest_.points.texts()) {

@@ -39,6 +39,7 @@ class SweepPlan {
   SweepPlan(SweepManifest manifest, const std::filesystem::path& folder);
 
   const SweepManifest& manifest() const { return manifest_; }
+  /// Its inputs need not be there.
   const LoadedScenario& base() const { return base_; }
   /// Where relative file names of the scenario start.
   const std::filesystem::path& directory() const { return base_.scenario.directory; }

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "study/journal.h"
+#include "study/sweep_plan.h"
+#include "study/task_record.h"
+
+namespace fissure {
+
+/// `<folder>/journals`, `<folder>/runs`.
+std::filesystem::path journalFolder(const std::filesystem::path& folder);
+std::filesystem::path resultFolder(const std::filesystem::path& folder);
+
+/// How far a sweep is, read from its journals alone: of each task its last finished record, else its first
+/// other one. `plan` must outlive it.
+class SweepState {
+ public:
+  /// Throws RunError when a journal cannot be read, or when two finished records of a task, or of its repeats,
+  /// differ: simulations are deterministic, so one of them is wrong.
+  SweepState(const SweepPlan& plan, const std::filesystem::path& folder);
+
+  struct Task {
+    std::optional<JournalPlace> place;  ///< nothing: it has no record
+    RunStatus status;                   ///< "missing" without a record
+    bool finished = false;
+    double wall_s = 0;          ///< of its worker, where that is known
+    std::string numbers_hash;
+    std::string file;           ///< TaskRecord::file and what goes with it
+    long long file_bytes = 0, file_time = 0;
+  };
+  const Task& task(std::size_t index) const { return tasks_[index]; }
+  /// Its record, from the journal. Throws RunError when it is no longer there.
+  TaskRecord record(std::size_t index) const;
+
+  /// Makes a task missing again, because what it left is no longer there.
+  void forget(std::size_t index);
+  /// Tasks without a finished record, in the plan's order; those that failed among them.
+  std::vector<std::size_t> unfinished() const;
+  /// Finished records that no task of the plan asks for: of an earlier form of the sweep.
+  std::size_t strangers() const { return strangers_; }
+  /// See Journals::damaged().
+  const std::vector<std::filesystem::path>& damaged() const { return journals_.damaged(); }
+
+ private:
+  void take(std::size_t index, const TaskRecord& record, const JournalPlace& place);
+  void compareRepeats() const;
+
+  const SweepPlan& plan_;
+  Journals journals_;
+  std::vector<Task> tasks_;
+  std::size_t strangers_ = 0;
+};
+
+}  // namespace fissure
