@@ -40,6 +40,9 @@ class TimedProbes : public Probe {
 class TimedSink : public RecordSink {
  public:
   TimedSink(std::unique_ptr<RecordSink> sink, Batch& writes) : sink_(std::move(sink)), writes_(writes) {}
+  void forceInputs(const State& state) override {
+    writes_.time([&] { sink_->forceInputs(state); });
+  }
   void append(const RecordRow& row) override {
     writes_.time([&] { sink_->append(row); });
   }

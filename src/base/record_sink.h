@@ -17,6 +17,8 @@ struct RunStatus {
 class RecordSink {
  public:
   virtual ~RecordSink() = default;
+  /// What the force laws saw in the step whose row comes next; only for a scenario that asks for it.
+  virtual void forceInputs(const State& state) = 0;
   virtual void append(const RecordRow& row) = 0;
   virtual void snapshot(const State& state) = 0;
   virtual void frame(double time_s, const Image& image) = 0;

@@ -45,6 +45,9 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
   plan.nodes = scene.nodeCount();
   for (const Series& series : layout.series()) plan.series.push_back(series.name);
   plan.record_bytes = recordBytes(checked, layout);
+  // Running number, triangle, area, direction; deformation and rate of each law.
+  if (scenario.record.force_inputs)
+    plan.force_input_bytes = 48 + 16 * static_cast<int>(scenario.force.size());
   if (scenario.record.snapshots_every_s) {
     plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
     const double clamps = scene.hasHandles() ? static_cast<double>(scene.clamps.size()) : 0;

@@ -20,7 +20,8 @@ struct RunPlan {
   std::int64_t frames = 0;
   double record_bytes = 0;
   double snapshot_bytes = 0;
-  double frame_bytes = 0;  ///< before compression, an upper bound
+  int force_input_bytes = 0;  ///< of one triangle in one step; how many collide only the run knows
+  double frame_bytes = 0;     ///< before compression, an upper bound
 
   double bytes() const { return record_bytes + snapshot_bytes + frame_bytes; }
 };

@@ -98,6 +98,9 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
   std::cout << "  record:";
   for (const std::string& name : plan.series) std::cout << " " << name;
   std::cout << "; " << sizeText(plan.record_bytes) << "\n";
+  if (scenario.record.force_inputs)
+    std::cout << "  force inputs: what " << scenario.force.size() << " laws see of each colliding triangle; "
+              << plan.force_input_bytes << " B a triangle and step, not in the size below\n";
   if (plan.snapshots > 0)
     std::cout << "  snapshots: " << plan.snapshots << "; " << sizeText(plan.snapshot_bytes) << "\n";
   if (plan.frames > 0)

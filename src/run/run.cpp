@@ -171,9 +171,10 @@ void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, Frame
   std::fill(row.begin(), row.end(), std::numeric_limits<double>::quiet_NaN());
   row[0] = state.time_s;
   for (const auto& probe : outputs.probes) probe->sample(state, row);
+  const RecordSettings& record = scenario_.record;
+  if (record.force_inputs) outputs.sink.forceInputs(state);
   outputs.sink.append(row);
   const double step_s = scenario_.time.step_s;
-  const RecordSettings& record = scenario_.record;
   if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
     outputs.sink.snapshot(state);
   if (frames && isDue(state.step, step_s, record.frames->every_s)) {

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "store/force_input_writer.h"
 #include "store/format.h"
 #include "store/output_file.h"
 #include "store/series_writer.h"
@@ -36,6 +37,7 @@ class PartFile : public RecordSink {
   PartFile(const std::filesystem::path& path, const PartHeader& header);
   ~PartFile() override;
 
+  void forceInputs(const State& state) override;
   void append(const RecordRow& row) override;
   void snapshot(const State& state) override;
   void frame(double time_s, const Image& image) override;
@@ -59,6 +61,7 @@ class PartFile : public RecordSink {
   std::optional<std::string> first_error_;
   h5::OutputFile file_;
   std::optional<SeriesWriter> series_;
+  std::optional<ForceInputWriter> force_inputs_;
   std::optional<SnapshotWriter> snapshots_;
   std::optional<FrameWriter> frames_;
 };
@@ -97,6 +100,11 @@ void PartFile::makeDatasets(const PartHeader& header) {
   describePipeline(group.id(), header.pipeline, {incomplete_status, ""});
   series_.emplace(group, header.layout, rowsInChunk(header.expected_rows));
   const RecordSettings& record = header.scenario.record;
+  if (record.force_inputs) {
+    std::vector<std::string> laws;
+    for (const ForceSettings& law : header.scenario.force) laws.push_back(law.name);
+    force_inputs_.emplace(group, laws, rowsInChunk(header.expected_rows));
+  }
   if (record.snapshots_every_s) {
     snapshots_.emplace(group, header.scene, expectedSnapshots(header));
     addBodies(group, header.scene);
@@ -124,6 +132,14 @@ void PartFile::guarded(Work work) {
   }
 }
 
+void PartFile::forceInputs(const State& state) {
+  if (!force_inputs_ && !first_error_)
+    throw std::logic_error("inputs of force laws that the scenario did not ask for");
+  guarded([&] {
+    if (force_inputs_->append(state)) force_inputs_->writeData();
+  });
+}
+
 void PartFile::append(const RecordRow& row) {
   guarded([&] {
     const bool full = series_->append(row);
@@ -148,6 +164,7 @@ void PartFile::frame(double time_s, const Image& image) {
 // time.
 void PartFile::writeBlock() {
   series_->writeData();
+  if (force_inputs_) force_inputs_->writeData();
   if (snapshots_) snapshots_->writeData();
   file_.flush();
   series_->writeTime();
@@ -159,6 +176,7 @@ void PartFile::writeBlock() {
 
 void PartFile::closeDatasets() {
   series_.reset();
+  force_inputs_.reset();
   snapshots_.reset();
   frames_.reset();
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "base/error.h"
+#include "store/force_input_writer.h"
 #include "store/format.h"
 #include "store/group_builder.h"
 
@@ -14,12 +15,14 @@ namespace {
 
 using Lengths = std::map<std::string, hsize_t>;
 
-// The committed length of each growing axis; their coordinates all lie in the pipeline's own group.
+// The committed length of each growing axis; the times all lie in the pipeline's own group.
 Lengths committedLengths(hid_t group) {
   Lengths lengths;
   for (const char* axis : {"time", "snapshot_time", "frame_time"}) {
     if (h5::exists(group, axis)) lengths[axis] = committedTimes_s(h5::openDataset(group, axis)).size();
   }
+  if (h5::exists(group, "force_inputs"))
+    lengths["obs"] = observationCount(h5::openGroup(group, "force_inputs"), lengths["time"]);
   return lengths;
 }
 

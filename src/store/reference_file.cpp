@@ -13,7 +13,9 @@ namespace fissure {
 
 namespace {
 
-const std::set<std::string> picture_groups = {"timing", "frame_images", "vtk"};
+// Inputs of force laws: a few of the steps would be of no use, and what the laws make of them is in the
+// series.
+const std::set<std::string> left_out_groups = {"timing", "frame_images", "vtk", "force_inputs"};
 const std::set<std::string> picture_axes = {"frame_time", "image_x", "image_y", "channel"};
 constexpr hsize_t kContiguousBytes = 2048;  // smaller datasets gain nothing from compression
 
@@ -66,7 +68,7 @@ class ReferenceCopy {
   void copyGroup(hid_t from, hid_t to) const {
     for (const std::string& name : h5::attributeNames(from)) h5::copyAttribute(from, to, name);
     for (const std::string& name : h5::childNames(from)) {
-      if (picture_groups.contains(name)) continue;
+      if (left_out_groups.contains(name)) continue;
       const h5::Id child = h5::openObject(from, name);
       if (h5::isGroup(child)) {
         copyGroup(child, h5::createGroup(to, name));
@@ -124,6 +126,7 @@ void copyResult(const h5::Id& from, const h5::OutputFile& to, const ReferenceSiz
 
 bool inReference(const StoredQuantity& quantity) {
   if (picture_axes.contains(quantity.row_axis)) return false;
+  if (left_out_groups.contains(quantity.name.substr(0, quantity.name.find('/')))) return false;
   return std::none_of(quantity.axes.begin(), quantity.axes.end(),
                       [](const StoredAxis& axis) { return picture_axes.contains(axis.name); });
 }

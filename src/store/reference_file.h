@@ -13,7 +13,7 @@ struct ReferenceSize {
   std::size_t snapshots = 3;
 };
 
-/// Whether a reference keeps a quantity: all but pictures.
+/// Whether a reference keeps a quantity: all but pictures and the inputs of force laws.
 bool inReference(const StoredQuantity& quantity);
 
 /// Makes a small copy of a result that later results are compared with: a result file with the attribute

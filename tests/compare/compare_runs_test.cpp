@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -20,6 +21,7 @@ constexpr std::size_t kRows = 10'000;
 struct Changes {
   std::function<void(const RecordLayout&, std::size_t row, RecordRow&)> row = {};
   std::function<void(std::size_t snapshot, State&)> snapshot = {};
+  std::function<void(std::size_t row, State&)> inputs = {};
   std::function<void(SampleRun&)> run = {};
   Summary summary = {
       {"max_penetration_depth_m", 0.25}, {"steps", 12LL}, {"final_state_hash", std::string("abc")}};
@@ -39,6 +41,11 @@ class CompareRuns : public testing::Test {
       if (i == 1)
         row[run.layout.find("penetration_depth")->first_column] = 0;  // the sample's is missing there
       if (changes.row) changes.row(run.layout, i, row);
+      if (run.scenario.record.force_inputs) {
+        State seen = sampleInputs(i);
+        if (changes.inputs) changes.inputs(i, seen);
+        sink->forceInputs(seen);
+      }
       sink->append(row);
       State state = sampleState(i);
       if (changes.snapshot) changes.snapshot(i, state);
@@ -224,6 +231,34 @@ TEST_F(CompareRuns, AReferenceOfAFewStepsKeepsAll) {
   const RunComparison same = compare(result, folder_ / "reference.h5");
   EXPECT_TRUE(same.agrees());
   EXPECT_EQ(find(same, "force").difference.rows, 3u);
+}
+
+// Inputs of force laws are compared with a result; a reference has none, and misses none.
+TEST_F(CompareRuns, InputsOfForceLawsAreComparedButNotWithReferences) {
+  const auto asked = [](SampleRun& run) { run.scenario.record.force_inputs = true; };
+  const auto changed = [](std::size_t row, State& seen) {
+    if (row == 5) seen.law_inputs[3].rate_m_s += 1e-6;
+  };
+  const auto lacks = [](std::size_t row, State& seen) {
+    if (row != 5) return;
+    seen.colliding_triangles.pop_back();
+    seen.law_inputs.resize(2);
+  };
+  const auto a = write("a", {.run = asked, .rows = 10});
+  EXPECT_TRUE(compare(a, write("same", {.run = asked, .rows = 10}), {.exact = true}).agrees());
+  const auto other = write("other", {.inputs = changed, .run = asked, .rows = 10});
+  EXPECT_EQ(differing(compare(other, a)), Names{"force_inputs/deformation_rate"});
+  EXPECT_EQ(find(compare(other, a), "force_inputs/deformation_rate").worst_at, "obs 4, linear");
+  const Names different =
+      differing(compare(write("lacking", {.inputs = lacks, .run = asked, .rows = 10}), a));
+  EXPECT_NE(std::find(different.begin(), different.end(), "force_inputs/row_size"), different.end());
+  EXPECT_NE(std::find(different.begin(), different.end(), "force_inputs/area"), different.end());
+  EXPECT_FALSE(compare(write("without", {.rows = 10}), a).agrees());
+  writeReference(folder_ / "reference.h5", a);
+  EXPECT_TRUE(compare(a, folder_ / "reference.h5").agrees());
+  EXPECT_TRUE(compare(other, folder_ / "reference.h5").agrees());
+  for (const DatasetInfo& dataset : readResultInfo(folder_ / "reference.h5").datasets)
+    EXPECT_EQ(dataset.path.find("force_inputs"), std::string::npos) << dataset.path;
 }
 
 TEST_F(CompareRuns, ADamagedFileIsAnInputError) {

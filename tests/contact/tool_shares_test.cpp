@@ -35,7 +35,7 @@ class ToolShares : public testing::Test {
     std::vector<TriangleLaw> laws;
     laws.push_back({makeLinearElastic(kStiffness)});
     laws.push_back({makeLinearElastic(3 * kStiffness)});
-    TriangleForces(scene, std::move(laws), 0.001).evaluate(patch, state);
+    TriangleForces(scene, std::move(laws), 0.001, true).evaluate(patch, state);
   }
   const Vec3& force(std::size_t law, std::size_t tool) const { return state.tool_forces_N[2 * law + tool]; }
 
@@ -71,6 +71,11 @@ TEST_F(ToolShares, TrianglesSumUpToTheToolsForces) {
       sum_N += state.triangle_forces_N[2 * i + law];
     EXPECT_GT(sum_N.norm(), 0.1);
     expectNear(sum_N, force(law, 0) + force(law, 1));
+    for (std::size_t i = 0; i < state.colliding_triangles.size(); ++i) {
+      const LawInput& input = state.law_inputs[2 * i + law];
+      const double stiffness = (law == 0 ? 1 : 3) * kStiffness;
+      expectNear(stiffness * input.deformation_m * input.direction, state.triangle_forces_N[2 * i + law]);
+    }
   }
 }
 

@@ -267,6 +267,33 @@ TEST_F(TriangleForcesTest, StatisticsAreOverTheCollidingTrianglesAndZeroWithoutO
   EXPECT_NEAR(state.forces[2].rate_max_m_s, -0.5, 1e-9) << "all recede";
 }
 
+// The box is 20 mm wide: each triangle half a face.
+TEST_F(TriangleForcesTest, KeepsWhatEachLawSawOfEachTriangleOnRequest) {
+  for (std::size_t i = 0; i < state.positions_m.size(); ++i)
+    state.positions_m[i] -= Vec3(0, 0.001 * static_cast<double>(i + 1), 0);
+  for (Vec3& v : state.velocities_m_s) v = Vec3(0, -0.2, 0);
+  touchFace(0, Vec3(0, -0.6, 0.8));
+  forces().evaluate(patch, state);
+  EXPECT_EQ(state.law_inputs.capacity(), 0u);
+  forces(true).evaluate(patch, state);
+  const std::size_t triangles = state.colliding_triangles.size();
+  ASSERT_GT(triangles, 1u);
+  ASSERT_EQ(state.law_inputs.size(), 3 * triangles);
+  const auto law = makeHuntCrossley(200, 50, 1.3);
+  for (std::size_t i = 0; i < triangles; ++i) {
+    const Face& face = scene.bodies[0].rest.faces[state.colliding_triangles[i]];
+    const LawInput &by_velocities = state.law_inputs[3 * i], &by_differences = state.law_inputs[3 * i + 2];
+    EXPECT_NEAR(by_velocities.deformation_m, 0.001 * (face[0] + face[1] + face[2] + 3) / 3, 1e-15);
+    EXPECT_NEAR(by_velocities.rate_m_s, 0.2, 1e-12);
+    EXPECT_NEAR(by_differences.rate_m_s, by_differences.deformation_m / 0.001, 1e-9);
+    EXPECT_NEAR(by_velocities.area_m2, 2e-4, 1e-15);
+    EXPECT_LE((by_velocities.direction - Vec3(0, 0.6, -0.8)).norm(), 1e-15) << "on the tool";
+    const LawForce force = law->at(by_differences.deformation_m, by_differences.rate_m_s);
+    const Vec3 expected_N = (force.elastic_N + force.viscous_N) * by_differences.direction;
+    EXPECT_LE((state.triangle_forces_N[3 * i + 2] - expected_N).norm(), 1e-12 * expected_N.norm());
+  }
+}
+
 TEST_F(TriangleForcesTest, AMirroredSceneGivesTheMirroredForce) {
   for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
     state.positions_m[i] += Vec3(0.001 * static_cast<double>(i), -0.004, 0.0005);

@@ -218,6 +218,21 @@ TEST(Simulation, ForcesOfTrianglesAreKeptForLawsOnly) {
   }
 }
 
+TEST(Simulation, InputsOfForceLawsAreKeptOnRequestOnly) {
+  for (const bool asked : {false, true}) {
+    Scenario scenario = press();
+    scenario.record.force_inputs = asked;
+    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+    for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+    const State& state = simulation->state();
+    ASSERT_FALSE(state.colliding_triangles.empty());
+    EXPECT_EQ(state.law_inputs.size(),
+              asked ? state.colliding_triangles.size() * scenario.force.size() : std::size_t{0});
+    EXPECT_EQ(state.law_inputs.capacity() > 0, asked);
+  }
+}
+
 // The settings must reach Bullet: stock and tuned differ as soon as the tool touches.
 TEST(Simulation, StockAndTunedDiffer) {
   const State stock = Press("default", "stock").run(60);

@@ -17,6 +17,7 @@ struct Seen : RecordSink {
   std::vector<RecordRow> rows;
   std::map<std::string, SummaryValue> summary;
   RunStatus status;
+  void forceInputs(const State&) override {}
   void append(const RecordRow& row) override { rows.push_back(row); }
   void snapshot(const State&) override {}
   void frame(double, const Image&) override {}

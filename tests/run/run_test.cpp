@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "base/error.h"
 #include "run/build_scene.h"
@@ -14,10 +15,12 @@ namespace {
 /// Keeps everything a run hands out.
 struct MemorySink : RecordSink {
   std::vector<RecordRow> rows;
+  std::map<std::size_t, int> inputs_before_row;
   std::vector<double> snapshot_times, frame_times;
   RunStatus status;
   Summary summary;
   bool finished = false;
+  void forceInputs(const State&) override { ++inputs_before_row[rows.size()]; }
   void append(const RecordRow& row) override { rows.push_back(row); }
   void snapshot(const State& state) override { snapshot_times.push_back(state.time_s); }
   void frame(double time_s, const Image&) override { frame_times.push_back(time_s); }
@@ -114,6 +117,17 @@ TEST_F(RunTest, RowsAreTheInitialStateAndEveryStepAtStepTimesDt) {
   EXPECT_TRUE(sink.finished);
   EXPECT_EQ(progress.size(), 15u);
   EXPECT_EQ(progress.back(), std::make_pair(std::int64_t{15}, std::int64_t{15}));
+}
+
+TEST_F(RunTest, InputsOfForceLawsComeOnceBeforeEachRowAndOnlyWhereAskedFor) {
+  scenario.force = {{.name = "hc", .model = "hunt_crossley"}};
+  execute();
+  EXPECT_TRUE(sink.inputs_before_row.empty());
+  scenario.record.force_inputs = true;
+  sink = {};
+  execute();
+  ASSERT_EQ(sink.inputs_before_row.size(), sink.rows.size());
+  for (const auto& [row, times] : sink.inputs_before_row) EXPECT_EQ(times, 1) << row;
 }
 
 TEST_F(RunTest, SaysWhatMadeIt) {

@@ -219,7 +219,7 @@ TEST(Write, WritesEveryDefaultAndLeavesOutWhatHasNoValue) {
   for (const char* part :
        {"description: \"\"\n", "settle_s: 0\n", "  gravity_m_s2: [0, -9.81, 0]\n", "tools: []\n",
         "  - name: default\n    pipeline: default\n", "    sdf_voxel_m: 0.25\n",
-        "    kinematic_hardness: 0.1\n", "record: {}\n", "    margin_m: 5e-04\n"}) {
+        "    kinematic_hardness: 0.1\n", "record:\n  force_inputs: false\n", "    margin_m: 5e-04\n"}) {
     EXPECT_NE(text.find(part), std::string::npos) << part << text;
   }
   for (const char* part : {"ground", "frames", "snapshots", "sample_spacing", "sweeps", "vertex_contacts"}) {

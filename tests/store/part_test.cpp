@@ -13,6 +13,7 @@
 
 #include "base/error.h"
 #include "sample_run.h"
+#include "store/force_inputs.h"
 #include "store/part_file.h"
 #include "store/read_series.h"
 #include "store/result_file.h"
@@ -56,6 +57,27 @@ std::size_t salvagedRows(const TemporaryFolder& folder, const SampleRun& run,
     }
   }
   return rows;
+}
+
+// The salvaged inputs of force laws end with the salvaged rows, each with its right values.
+void expectSalvagedInputs(const TemporaryFolder& folder, std::size_t rows) {
+  const ForceInputs inputs = readForceInputs(folder / "salvaged.h5", "default");
+  ASSERT_EQ(inputs.times_s.size(), rows);
+  std::size_t at = 0;
+  for (std::size_t row = 0; row < rows; ++row) {
+    const State expected = sampleInputs(row);
+    ASSERT_EQ(inputs.times_s[row], expected.time_s);
+    ASSERT_EQ(inputs.row_sizes[row], expected.colliding_triangles.size());
+    for (const LawInput& input : expected.law_inputs) {
+      ASSERT_EQ(inputs.inputs[at].deformation_m, input.deformation_m) << row;
+      ASSERT_EQ(inputs.inputs[at].rate_m_s, input.rate_m_s) << row;
+      ASSERT_EQ(inputs.inputs[at].area_m2, input.area_m2) << row;
+      ASSERT_EQ(inputs.inputs[at].direction, input.direction) << row;
+      ++at;
+    }
+  }
+  EXPECT_EQ(inputs.inputs.size(), at);
+  EXPECT_EQ(inputs.laws, (std::vector<std::string>{"hc", "linear"}));
 }
 
 TEST(Part, FinishStoresStatusAndSummary) {
@@ -115,11 +137,42 @@ TEST(Part, KilledWriterLeavesItsCompleteBlocks) {
   EXPECT_EQ(salvagedRows(folder, run, path), 2 * 3334U);
 }
 
+// What the laws saw of a step whose row never came is cut.
+TEST(Part, InputsOfForceLawsEndWithTheRowsThatCount) {
+  const TemporaryFolder folder;
+  SampleRun run = makeSampleRun(7, false);
+  run.scenario.record.force_inputs = true;
+  const auto path = folder / "default.part";
+  {
+    const auto part = openSamplePart(path, run, "default");
+    appendSamples(*part, run);
+    part->forceInputs(sampleInputs(8));
+  }
+  const std::string group = "/pipelines/default/force_inputs/";
+  EXPECT_EQ(readSeries(path, group + "area").values.size(), 6U + 2U) << "nothing to cut, no test";
+  EXPECT_EQ(salvagedRows(folder, run, path), 7U);
+  expectSalvagedInputs(folder, 7);
+  for (const char* name : {"obs", "triangle", "area"})
+    EXPECT_EQ(readSeries(folder / "salvaged.h5", group + name).values.size(), 6U) << name;
+}
+
+TEST(Part, InputsOfForceLawsMustBeAskedForAndFit) {
+  const TemporaryFolder folder;
+  SampleRun run = makeSampleRun(3, false);
+  EXPECT_THROW(openSamplePart(folder / "default.part", run, "default")->forceInputs(sampleInputs(1)),
+               std::logic_error);
+  run.scenario.record.force_inputs = true;
+  State state = sampleInputs(2);
+  state.law_inputs.pop_back();
+  EXPECT_THROW(openSamplePart(folder / "default.part", run, "default")->forceInputs(state), std::logic_error);
+}
+
 // Killed from outside at any moment of its writing, in the middle of a flush too.
 TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
   for (int trial = 0; trial < 25; ++trial) {
     const TemporaryFolder folder;
     SampleRun run = makeSampleRun(100, true);
+    run.scenario.record.force_inputs = true;
     const auto path = folder / "default.part";
     int begun[2];
     ASSERT_EQ(::pipe(begun), 0);
@@ -127,6 +180,7 @@ TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
     if (writer == 0) {
       const auto part = openSamplePart(path, run, "default");
       for (std::size_t row = 0;; ++row) {
+        part->forceInputs(sampleInputs(row));
         part->append(sampleRow(run.layout, row));
         if (row == 100 && ::write(begun[1], "!", 1) != 1) ::_exit(1);
         if (row % 10 == 0) part->snapshot(sampleState(row / 10));
@@ -142,7 +196,9 @@ TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
     ::kill(writer, SIGKILL);
     ::waitpid(writer, nullptr, 0);
     EXPECT_NO_THROW(inspectPart(path)) << "trial " << trial;
-    EXPECT_GE(salvagedRows(folder, run, path), 100U);
+    const std::size_t rows = salvagedRows(folder, run, path);
+    EXPECT_GE(rows, 100U);
+    expectSalvagedInputs(folder, rows);
     const auto result = folder / "salvaged.h5";
     const SeriesData snapshots = readSeries(result, "/pipelines/default/snapshot_time");
     const SeriesData positions = readSeries(result, "/pipelines/default/positions");

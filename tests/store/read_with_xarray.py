@@ -84,6 +84,28 @@ def pictures(frames):
     return 50 * frame + 10 * y + 3 * x + channel
 
 
+def check_force_inputs(data, rows):
+    """A contiguous ragged array: row_size observations a step."""
+    assert {key: value.dims for key, value in data.variables.items()} == {
+        "time": ("time",), "row_size": ("time",), "law": ("law",), "xyz": ("xyz",), "obs": ("obs",),
+        "triangle": ("obs",), "deformation": ("obs", "law"), "deformation_rate": ("obs", "law"),
+        "area": ("obs",), "direction": ("obs", "xyz")}
+    assert data.row_size.attrs["sample_dimension"] == "obs" and data.row_size.dtype == np.int64
+    sizes = np.arange(rows) % 3
+    row = np.repeat(np.arange(rows), sizes)
+    i = np.concatenate([np.arange(size) for size in sizes]) if rows else np.zeros(0)
+    same(data.time, np.arange(rows) / 2)
+    same(data.row_size, sizes)
+    same(data.obs, np.arange(sizes.sum()))
+    same(data.triangle, row + i)
+    same(data.deformation, (row + i / 10)[:, None] + np.arange(2) / 100)
+    same(data.deformation_rate, -data.deformation)
+    same(data.area, 1 + i)
+    same(data.direction, np.stack([row, i, -np.ones(len(row))], axis=1))
+    assert list(data.law.values) == ["hc", "linear"] and list(data.xyz.values) == ["x", "y", "z"]
+    assert [data[name].attrs["units"] for name in ("deformation", "deformation_rate", "area")] == ["m", "m s-1", "m2"]
+
+
 def check_every_variable(data, where):
     for name, variable in data.variables.items():
         assert "units" in variable.attrs, f"{where}/{name}: no units"
@@ -113,6 +135,9 @@ def check_pipeline(path, name, rows, snapshots, frames, **engine):
         same(timing.step_time_us, 7 * np.arange(rows))
         same(timing.time, np.arange(rows) / 2)
         assert timing.step_time_us.attrs["units"] == "us" and timing.attrs["step_time_p99_us"] == 9.5
+    with xr.open_dataset(path, group=f"{where}/force_inputs", **engine) as inputs:
+        check_every_variable(inputs, f"{where}/force_inputs")
+        check_force_inputs(inputs, rows)
     with xr.open_dataset(path, group=f"{where}/summary", **engine) as summary:
         expected = {"max_penetration_depth_m": 0.25, "steps": 12, "final_state_hash": "abc"}
         assert dict(summary.attrs) == expected

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "sample_run.h"
+#include "store/force_inputs.h"
 #include "store/read_series.h"
 #include "store/result_file.h"
 
@@ -25,7 +26,8 @@ std::vector<PartResult> writeParts(const TemporaryFolder& folder, const SampleRu
 
 void expectReadableWithPython(std::size_t rows) {
   const TemporaryFolder folder;
-  const SampleRun run = makeSampleRun(rows, true);
+  SampleRun run = makeSampleRun(rows, true);
+  run.scenario.record.force_inputs = true;
   const auto path = folder / "sample.h5";
   assembleResult(path, loadedSample(run), kProvenance, writeParts(folder, run));
   const std::string command = "/usr/bin/python3 -B " FISSURE_SOURCE_DIR "/tests/store/read_with_xarray.py " +
@@ -124,10 +126,42 @@ TEST(Result, HoldsOnlyWhatTheScenarioAskedFor) {
   assembleResult(path, loadedSample(run), kProvenance, writeParts(folder, run));
   for (const DatasetInfo& dataset : readResultInfo(path).datasets) {
     for (const char* unasked :
-         {"snapshot", "positions", "vertex", "node", "frame", "tools", "faces", "body"}) {
+         {"snapshot", "positions", "vertex", "node", "frame", "tools", "faces", "body", "force_inputs"}) {
       EXPECT_EQ(dataset.path.find(unasked), std::string::npos) << dataset.path;
     }
   }
+}
+
+TEST(Result, InputsOfForceLawsAreReadBackOrNamedAsMissing) {
+  const TemporaryFolder folder;
+  SampleRun run = makeSampleRun(5, false);
+  const auto without = folder / "without.h5", with = folder / "with.h5";
+  assembleResult(without, loadedSample(run), kProvenance, writeParts(folder, run));
+  run.scenario.record.force_inputs = true;
+  assembleResult(with, loadedSample(run), kProvenance, writeParts(folder, run));
+  const ForceInputs inputs = readForceInputs(with, "paper_method");
+  EXPECT_EQ(inputs.laws, (std::vector<std::string>{"hc", "linear"}));
+  EXPECT_EQ(inputs.times_s, (std::vector<double>{0, 0.5, 1, 1.5, 2}));
+  EXPECT_EQ(inputs.row_sizes, (std::vector<std::size_t>{0, 1, 2, 0, 1}));
+  ASSERT_EQ(inputs.inputs.size(), 8U);
+  EXPECT_EQ(inputs.inputs[5].deformation_m, 2 + 0.1 + 0.01) << "row 2, second triangle, second law";
+  EXPECT_EQ(inputs.inputs[5].rate_m_s, -inputs.inputs[5].deformation_m);
+  EXPECT_EQ(inputs.inputs[5].area_m2, 2);
+  EXPECT_EQ(inputs.inputs[5].direction, Vec3(2, 1, -1));
+  const auto complaint = [](const std::filesystem::path& file, const std::string& pipeline) -> std::string {
+    try {
+      readForceInputs(file, pipeline);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(complaint(without, "default"),
+            without.string() +
+                ": run default has no force_inputs/time, expected a run with record: "
+                "{force_inputs: true}");
+  EXPECT_NE(complaint(with, "other"), "nothing");
+  EXPECT_NE(complaint(folder / "no.h5", "default"), "nothing");
 }
 
 // Views slow readers down by the square of their number; the stack of frames itself is never cut.

@@ -127,6 +127,21 @@ State sampleState(std::size_t snapshot) {
   return state;
 }
 
+State sampleInputs(std::size_t row) {
+  State state;
+  const double r = static_cast<double>(row);
+  state.time_s = r / 2;
+  for (std::size_t i = 0; i < row % 3; ++i) {
+    state.colliding_triangles.push_back(static_cast<int>(row + i));
+    const double of_triangle = static_cast<double>(i);
+    for (int law = 0; law < 2; ++law) {
+      const double value = r + of_triangle / 10 + law / 100.0;
+      state.law_inputs.push_back({value, -value, 1 + of_triangle, Vec3(r, of_triangle, -1)});
+    }
+  }
+  return state;
+}
+
 Image sampleImage(std::size_t frame) {
   Image image{kWidth, kHeight, {}};
   for (int y = 0; y < kHeight; ++y) {
@@ -155,7 +170,10 @@ std::unique_ptr<RecordSink> openSamplePart(const std::filesystem::path& path, co
 }
 
 void appendSamples(RecordSink& sink, const SampleRun& run) {
-  for (std::size_t row = 0; row < run.rows; ++row) sink.append(sampleRow(run.layout, row));
+  for (std::size_t row = 0; row < run.rows; ++row) {
+    if (run.scenario.record.force_inputs) sink.forceInputs(sampleInputs(row));
+    sink.append(sampleRow(run.layout, row));
+  }
   for (std::size_t snapshot = 0; snapshot < run.snapshots; ++snapshot) sink.snapshot(sampleState(snapshot));
   for (std::size_t frame = 0; frame < run.frames; ++frame) {
     sink.frame(2.0 * static_cast<double>(frame), sampleImage(frame));

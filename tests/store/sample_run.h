@@ -34,6 +34,9 @@ class TemporaryFolder {
 ///   timing/step_time_us = 7 row   positions[snapshot][vertex][axis] = snapshot + vertex/10 + axis/100
 ///   vertex_contact[snapshot][vertex] = vertex % 2   node_state[snapshot][node] = node
 ///   frames[frame][y][x][channel] = 50 frame + 10 y + 3 x + channel (5 x 4 pixels)
+/// Where its scenario is changed to ask for force_inputs, row % 3 triangles collide, and of the i-th
+///   triangle = row + i   deformation[law] = row + i/10 + law/100   deformation_rate = -deformation
+///   area = 1 + i   direction = (row, i, -1)
 struct SampleRun {
   Scenario scenario;
   Scene scene;
@@ -48,6 +51,8 @@ SampleRun makeSampleRun(std::size_t rows, bool with_pictures);
 
 RecordRow sampleRow(const RecordLayout& layout, std::size_t row);
 State sampleState(std::size_t snapshot);
+/// With what the force laws saw, alone.
+State sampleInputs(std::size_t row);
 Image sampleImage(std::size_t frame);
 
 /// A part of the sample run, unfinished: all rows, snapshots and frames appended.

@@ -1,0 +1,47 @@
+#include "store/force_inputs.h"
+
+#include <numeric>
+
+#include "base/error.h"
+#include "store/run_reader.h"
+
+namespace fissure {
+
+namespace {
+
+const StoredQuantity& stored(const RunReader& run, const std::string& pipeline, const std::string& name) {
+  if (const StoredQuantity* found = run.find("force_inputs/" + name)) return *found;
+  throw InputError(run.file().string() + ": run " + pipeline + " has no force_inputs/" + name +
+                   ", expected a run with record: {force_inputs: true}");
+}
+
+}  // namespace
+
+ForceInputs readForceInputs(const std::filesystem::path& file, const std::string& pipeline) {
+  const RunReader run(file, pipeline);
+  const auto all = [&](const char* name) { return run.all(stored(run, pipeline, name)); };
+  ForceInputs read;
+  read.times_s = all("time");
+  for (const double size : all("row_size")) read.row_sizes.push_back(static_cast<std::size_t>(size));
+  const StoredQuantity& deformation = stored(run, pipeline, "deformation");
+  if (deformation.axes.size() == 2) read.laws = deformation.axes[1].labels;
+  const std::vector<double> deformations_m = run.all(deformation), rates_m_s = all("deformation_rate"),
+                            areas_m2 = all("area"), directions = all("direction");
+  const std::size_t count = std::accumulate(read.row_sizes.begin(), read.row_sizes.end(), std::size_t{0});
+  const std::size_t laws = read.laws.size();
+  if (read.row_sizes.size() != read.times_s.size() || areas_m2.size() != count ||
+      directions.size() != 3 * count || deformations_m.size() != laws * count ||
+      rates_m_s.size() != laws * count)
+    throw InputError(file.string() + ": the force_inputs of run " + pipeline +
+                     " are damaged: their lengths do not fit together");
+  read.inputs.reserve(laws * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 direction = Vec3::Map(&directions[3 * i]);
+    for (std::size_t law = 0; law < laws; ++law)
+      read.inputs.push_back(
+          {deformations_m[i * laws + law], rates_m_s[i * laws + law], areas_m2[i], direction});
+  }
+  return read;
+}
+
+}  // namespace fissure
