@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "base/summary_unit.h"
 #include "compare/units.h"
 #include "scenario/scalars.h"
 #include "store/reference_file.h"

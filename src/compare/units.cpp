@@ -3,8 +3,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <string_view>
-#include <utility>
 
 namespace fissure {
 
@@ -29,15 +27,6 @@ bool takesPrefix(const std::string& unit) {
 }
 
 }  // namespace
-
-std::string summaryUnit(const std::string& name) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 6> endings = {
-      {{"_m_s", "m s-1"}, {"_m", "m"}, {"_N", "N"}, {"_s", "s"}, {"_hz", "Hz"}, {"_J", "J"}}};
-  for (const auto& [ending, unit] : endings)
-    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-      return std::string(unit);
-  return "1";
-}
 
 std::string withUnit(double value, const std::string& unit) {
   const std::string shown = unit == "1" || unit.empty() ? "" : " " + unit;

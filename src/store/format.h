@@ -13,6 +13,7 @@ namespace fissure {
 /// What opens a file of ours; a reader refuses newer versions.
 inline constexpr const char* result_format = "fissure-result";
 inline constexpr const char* part_format = "fissure-part";
+inline constexpr const char* sweep_format = "fissure-sweep";
 inline constexpr std::int32_t format_version = 1;
 /// The status of a run in its part until the worker finishes it.
 inline constexpr const char* incomplete_status = "incomplete";

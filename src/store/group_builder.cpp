@@ -60,30 +60,13 @@ h5::Id spaceOf(const DatasetSpec& spec) {
                 spec.name);
 }
 
-h5::Id creationProperties(const DatasetSpec& spec, int deflate_level) {
-  const char* doing = "cannot prepare dataset";
-  h5::Id creation = h5::datasetProperties();
-  if (spec.type == ValueType::real) {
-    const double missing = std::numeric_limits<double>::quiet_NaN();
-    h5::check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &missing), doing, spec.name);
-  }
-  const auto grows = [](const Dimension& dimension) { return dimension.grows; };
-  if (std::any_of(spec.dimensions.begin(), spec.dimensions.end(), grows)) {
-    std::vector<hsize_t> chunk;
-    for (const Dimension& dimension : spec.dimensions)
-      chunk.push_back(std::max<hsize_t>(1, dimension.length));
-    h5::check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), doing, spec.name);
-  }
-  if (deflate_level > 0) {
-    h5::check(H5Pset_deflate(creation, static_cast<unsigned>(deflate_level)), doing, spec.name);
-  }
-  return creation;
-}
-
 }  // namespace
 
-GrowingDataset::GrowingDataset(h5::Id dataset, const DatasetSpec& spec)
-    : dataset_(std::move(dataset)), name_(spec.name), memory_type_(nativeType(spec.type)) {
+GrowingDataset::GrowingDataset(h5::Id dataset, const DatasetSpec& spec, h5::Id text_type)
+    : dataset_(std::move(dataset)),
+      name_(spec.name),
+      text_type_(std::move(text_type)),
+      memory_type_(text_type_.valid() ? static_cast<hid_t>(text_type_) : nativeType(spec.type)) {
   for (const Dimension& dimension : spec.dimensions) {
     if (dimension.grows) growing_axis_ = shape_.size();
     shape_.push_back(dimension.grows ? 0 : dimension.length);
@@ -109,13 +92,31 @@ void GrowingDataset::append(const void* data, hsize_t count) {
 
 GroupBuilder::GroupBuilder(hid_t parent, const std::string& name) : group_(h5::createGroup(parent, name)) {}
 
-h5::Id GroupBuilder::create(const DatasetSpec& spec, int deflate_level) {
+h5::Id GroupBuilder::creationProperties(const DatasetSpec& spec, Packing packing) {
+  const char* doing = "cannot prepare dataset";
+  h5::Id creation = h5::datasetProperties();
+  if (spec.type == ValueType::real) {
+    const double missing = std::numeric_limits<double>::quiet_NaN();
+    h5::check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &missing), doing, spec.name);
+  }
+  const auto grows = [](const Dimension& dimension) { return dimension.grows; };
+  if (std::any_of(spec.dimensions.begin(), spec.dimensions.end(), grows)) {
+    std::vector<hsize_t> chunk;
+    for (const Dimension& dimension : spec.dimensions)
+      chunk.push_back(std::max<hsize_t>(1, dimension.length));
+    h5::check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()), doing, spec.name);
+  }
+  if (packing == Packing::shuffle_and_deflate) h5::check(H5Pset_shuffle(creation), doing, spec.name);
+  if (packing != Packing::none) h5::check(H5Pset_deflate(creation, 1), doing, spec.name);
+  return creation;
+}
+
+h5::Id GroupBuilder::create(const DatasetSpec& spec, hid_t type, Packing packing) {
   if (h5::exists(group_, spec.name)) throw std::logic_error("result dataset made twice: " + spec.name);
   const h5::Id space = spaceOf(spec);
-  const h5::Id creation = creationProperties(spec, deflate_level);
-  h5::Id dataset(
-      H5Dcreate2(group_, spec.name.c_str(), nativeType(spec.type), space, H5P_DEFAULT, creation, H5P_DEFAULT),
-      H5Dclose, "cannot create dataset", spec.name);
+  const h5::Id creation = creationProperties(spec, packing);
+  h5::Id dataset(H5Dcreate2(group_, spec.name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
+                 H5Dclose, "cannot create dataset", spec.name);
   describe(dataset, spec);
   return dataset;
 }
@@ -140,12 +141,8 @@ void GroupBuilder::addLabels(const std::string& axis, const std::vector<std::str
   }
   labels_[axis] = labels;
   const DatasetSpec spec{axis, "1", "name of each " + axis, ValueType::count, {{axis, labels.size()}}};
-  const h5::Id space = spaceOf(spec);
-  const h5::Id creation = creationProperties(spec, 0);
   const h5::Id type = h5::textType();
-  const h5::Id dataset(H5Dcreate2(group_, axis.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
-                       H5Dclose, "cannot create dataset", axis);
-  describe(dataset, spec);
+  const h5::Id dataset = create(spec, type);
   std::vector<const char*> pointers;
   for (const std::string& label : labels) pointers.push_back(label.c_str());
   h5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "cannot write dataset",
@@ -159,21 +156,31 @@ void GroupBuilder::addIndex(const std::string& axis, hsize_t length) {
 }
 
 GrowingDataset GroupBuilder::addGrowing(const DatasetSpec& spec) {
-  return GrowingDataset(create(spec, 0), spec);
+  return GrowingDataset(create(spec, nativeType(spec.type)), spec);
 }
 
 GrowingDataset GroupBuilder::addPictures(const DatasetSpec& spec) {
-  return GrowingDataset(create(spec, 1), spec);
+  return GrowingDataset(create(spec, nativeType(spec.type), Packing::deflate), spec);
+}
+
+GrowingDataset GroupBuilder::addPacked(const DatasetSpec& spec) {
+  return GrowingDataset(create(spec, nativeType(spec.type), Packing::shuffle_and_deflate), spec);
+}
+
+GrowingDataset GroupBuilder::addTexts(const DatasetSpec& spec) {
+  h5::Id type = h5::textType();
+  h5::Id dataset = create(spec, type);
+  return GrowingDataset(std::move(dataset), spec, std::move(type));
 }
 
 void GroupBuilder::addFixed(const DatasetSpec& spec, const std::vector<std::int64_t>& values) {
-  const h5::Id dataset = create(spec, 0);
+  const h5::Id dataset = create(spec, nativeType(spec.type));
   h5::check(H5Dwrite(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "cannot write dataset", spec.name);
 }
 
 void GroupBuilder::addFixed(const DatasetSpec& spec, const std::vector<double>& values) {
-  const h5::Id dataset = create(spec, 0);
+  const h5::Id dataset = create(spec, nativeType(spec.type));
   h5::check(H5Dwrite(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
             "cannot write dataset", spec.name);
 }

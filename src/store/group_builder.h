@@ -30,15 +30,17 @@ struct DatasetSpec {
 /// A dataset with one growing axis, written slice by slice.
 class GrowingDataset {
  public:
-  GrowingDataset(h5::Id dataset, const DatasetSpec& spec);
+  GrowingDataset(h5::Id dataset, const DatasetSpec& spec, h5::Id text_type = {});
 
   /// Puts `count` slices behind those already there. `data` holds values of the dataset's own type (double,
-  /// int64 or uint8) in the dataset's own order, with `count` for the growing axis.
+  /// int64, uint8, or const char* where it is made of texts) in the dataset's own order, with `count` for the
+  /// growing axis.
   void append(const void* data, hsize_t count);
 
  private:
   h5::Id dataset_;
   std::string name_;
+  h5::Id text_type_;  // only of texts
   hid_t memory_type_;
   std::size_t growing_axis_ = 0;
   std::vector<hsize_t> shape_;
@@ -52,6 +54,8 @@ class GroupBuilder {
  public:
   /// Creates the group; throws RunError.
   GroupBuilder(hid_t parent, const std::string& name);
+  /// Of a group that is there.
+  explicit GroupBuilder(h5::Id group) : group_(std::move(group)) {}
 
   const h5::Id& id() const { return group_; }
 
@@ -61,7 +65,7 @@ class GroupBuilder {
   /// Coordinate 0 .. length - 1.
   void addIndex(const std::string& axis, hsize_t length);
 
-  /// All three throw std::logic_error when the name is taken.
+  /// All of these throw std::logic_error when the name is taken.
   GrowingDataset addGrowing(const DatasetSpec& spec);
   /// Whole numbers; `spec.type` is count.
   void addFixed(const DatasetSpec& spec, const std::vector<std::int64_t>& values);
@@ -70,9 +74,15 @@ class GroupBuilder {
   void addFixed(const DatasetSpec& spec, const std::vector<Vec3>& values);
   /// One frame a chunk, deflated; uint8.
   GrowingDataset addPictures(const DatasetSpec& spec);
+  /// Numbers, a chunk shuffled and deflated.
+  GrowingDataset addPacked(const DatasetSpec& spec);
+  /// Variable-length UTF-8; `spec.type` is count, which is never missing.
+  GrowingDataset addTexts(const DatasetSpec& spec);
 
  private:
-  h5::Id create(const DatasetSpec& spec, int deflate_level);
+  enum class Packing { none, deflate, shuffle_and_deflate };
+  static h5::Id creationProperties(const DatasetSpec& spec, Packing packing);
+  h5::Id create(const DatasetSpec& spec, hid_t type, Packing packing = Packing::none);
   void describe(hid_t dataset, const DatasetSpec& spec) const;
 
   h5::Id group_;

@@ -1,53 +1,20 @@
 #include "store/result_file.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
-#include <ctime>
 
 #include "base/error.h"
-#include "base/hash.h"
 #include "store/format.h"
 #include "store/frame_images.h"
 #include "store/group_builder.h"
 #include "store/part_reader.h"
 #include "store/replacement_file.h"
+#include "store/root_attributes.h"
 #include "store/temporary_file.h"
 
 namespace fissure {
 
 namespace {
-
-std::string nowUtc() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  std::array<char, 32> text{};
-  std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text.data();
-}
-
-std::string valueOf(const Provenance& provenance, const std::string& name) {
-  for (const auto& [key, value] : provenance) {
-    if (key == name) return value;
-  }
-  return "";
-}
-
-void writeRoot(hid_t file, const LoadedScenario& loaded, const Provenance& provenance) {
-  const std::string date = nowUtc();
-  const std::string version = valueOf(provenance, "version");
-  const std::string command = valueOf(provenance, "command_line");
-  h5::setAttribute(file, "Conventions", std::string("CF-1.10, ACDD-1.3"));
-  h5::setAttribute(file, "title", loaded.scenario.name);
-  h5::setAttribute(file, "summary", loaded.scenario.description);
-  h5::setAttribute(file, "source", "fissure" + (version.empty() ? "" : " " + version));
-  h5::setAttribute(file, "history", date + " " + (command.empty() ? "fissure" : command));
-  h5::setAttribute(file, "date_created", date);
-  h5::setAttribute(file, "id", fnv1a64(loaded.resolved + date));
-  h5::setAttribute(file, "format", std::string(result_format));
-  h5::setAttribute(file, "format_version", format_version);
-}
 
 void writeProvenance(hid_t file, const LoadedScenario& loaded, const Provenance& provenance) {
   const h5::Id group = h5::createGroup(file, "provenance");
@@ -120,7 +87,8 @@ void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vecto
 
 void writeResult(const h5::OutputFile& file, const LoadedScenario& loaded, const Provenance& provenance,
                  const std::vector<PartResult>& parts, bool salvaged) {
-  writeRoot(file, loaded, provenance);
+  describeRoot(file, loaded.scenario.name, loaded.scenario.description, provenance, loaded.resolved,
+               result_format);
   writeProvenance(file, loaded, provenance);
   {
     const h5::Id pipelines = h5::createGroup(file, "pipelines");

@@ -1,7 +1,7 @@
-#include "base/error.h"
 #include "store/format.h"
 #include "store/group_builder.h"
 #include "store/result_file.h"
+#include "store/stored_file.h"
 
 namespace fissure {
 
@@ -51,24 +51,10 @@ void readProvenance(hid_t file, ResultInfo& info) {
   if (!texts.empty()) info.scenario_resolved = texts.front();
 }
 
-// Before anything else of the file is believed.
-void checkFormat(hid_t file, ResultInfo& info) {
-  info.format = h5::textAttribute(file, "format");
-  if (info.format != result_format && info.format != part_format) {
-    throw InputError(std::string("an HDF5 file, but no fissure result (expected attribute format = \"") +
-                     result_format + "\")");
-  }
-  const long long version = h5::integerAttribute(file, "format_version", 0);
-  if (version < 1 || version > format_version) {
-    throw InputError("format_version " + std::to_string(version) + ", expected at most " +
-                     std::to_string(format_version) + ": written by a newer fissure");
-  }
-  info.format_version = static_cast<int>(version);
-}
-
 ResultInfo readInfo(const h5::Id& file) {
   ResultInfo info;
-  checkFormat(file, info);
+  info.format = h5::textAttribute(file, "format");
+  info.format_version = static_cast<int>(h5::integerAttribute(file, "format_version", 0));
   info.title = h5::textAttribute(file, "title");
   info.complete = h5::integerAttribute(file, "complete", 0) == 1;
   info.salvaged = h5::integerAttribute(file, "salvaged", 0) == 1;
@@ -84,24 +70,10 @@ ResultInfo readInfo(const h5::Id& file) {
 }  // namespace
 
 ResultInfo readResultInfo(const std::filesystem::path& path) {
-  const std::string name = path.string();
-  std::error_code reason;  // a loop of links, a name that is too long
-  const std::filesystem::file_status status = std::filesystem::status(path, reason);
-  if (status.type() == std::filesystem::file_type::not_found) throw InputError(name + ": no such file");
-  if (reason) throw InputError(name + ": " + reason.message());
-  if (!std::filesystem::is_regular_file(status))
-    throw InputError(name + ": not a file, expected a fissure result");
-  try {
-    const h5::Id file = h5::openToRead(path);
-    return readInfo(file);
-  } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
-  } catch (const RunError& error) {
-    if (H5Fis_hdf5(path.c_str()) > 0) {
-      throw InputError(name + ": a damaged or truncated HDF5 file (" + error.what() + ")");
-    }
-    throw InputError(name + ": not an HDF5 file, expected a fissure result (" + error.what() + ")");
-  }
+  ResultInfo info;
+  readStoredFile(path, {{result_format, part_format}, "a fissure result"},
+                 [&](const h5::Id& file) { info = readInfo(file); });
+  return info;
 }
 
 }  // namespace fissure

@@ -5,14 +5,6 @@
 namespace fissure {
 namespace {
 
-TEST(Units, AreReadOffTheNamesOfSummaryValues) {
-  EXPECT_EQ(summaryUnit("max_penetration_depth_m"), "m");
-  EXPECT_EQ(summaryUnit("max_force_hc_N"), "N");
-  EXPECT_EQ(summaryUnit("first_contact_time_s"), "s");
-  EXPECT_EQ(summaryUnit("node_switch_rate_hz"), "Hz");
-  EXPECT_EQ(summaryUnit("rays"), "1");
-}
-
 TEST(Units, ValuesHaveFourDigitsAndAPrefix) {
   EXPECT_EQ(withUnit(0.0230214, "m"), "23.02 mm");
   EXPECT_EQ(withUnit(-1e-6, "m"), "-1 um");

@@ -1,0 +1,52 @@
+#include "store/stored_file.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "store/format.h"
+
+namespace fissure {
+
+namespace {
+
+void checkFormat(hid_t file, const StoredFormat& format) {
+  if (format.names.empty()) return;
+  const std::string name = h5::textAttribute(file, "format");
+  if (std::find(format.names.begin(), format.names.end(), name) == format.names.end()) {
+    const std::string what = format.what.substr(format.what.find(' ') + 1);
+    throw InputError("an HDF5 file, but no " + what + " (expected attribute format = \"" +
+                     format.names.front() + "\")");
+  }
+  const long long version = h5::integerAttribute(file, "format_version", 0);
+  if (version < 1 || version > format_version) {
+    throw InputError("format_version " + std::to_string(version) + ", expected at most " +
+                     std::to_string(format_version) + ": written by a newer fissure");
+  }
+}
+
+}  // namespace
+
+void readStoredFile(const std::filesystem::path& path, const StoredFormat& format,
+                    const std::function<void(h5::Id file)>& read) {
+  const std::string name = path.string();
+  std::error_code reason;  // a loop of links, a name that is too long
+  const std::filesystem::file_status status = std::filesystem::status(path, reason);
+  if (status.type() == std::filesystem::file_type::not_found) throw InputError(name + ": no such file");
+  if (reason) throw InputError(name + ": " + reason.message());
+  if (!std::filesystem::is_regular_file(status))
+    throw InputError(name + ": not a file, expected " + format.what);
+  try {
+    h5::Id file = h5::openToRead(path);
+    checkFormat(file, format);
+    read(std::move(file));
+  } catch (const InputError& error) {
+    throw InputError(name + ": " + error.what());
+  } catch (const RunError& error) {
+    if (H5Fis_hdf5(path.c_str()) > 0) {
+      throw InputError(name + ": a damaged or truncated HDF5 file (" + error.what() + ")");
+    }
+    throw InputError(name + ": not an HDF5 file, expected " + format.what + " (" + error.what() + ")");
+  }
+}
+
+}  // namespace fissure
