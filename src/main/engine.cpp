@@ -61,7 +61,6 @@ class RunningRun {
   }
 
   const RecordLayout& layout() const { return layout_; }
-  void add(std::unique_ptr<Probe> probe) { probes_.push_back(std::move(probe)); }
 
   std::unique_ptr<RecordSink> makePart(const std::string& part) const {
     return createPartFile(part, {.scenario = loaded_.scenario,
@@ -94,8 +93,8 @@ class RunningRun {
 void work(const std::string& file, const std::string& directory, const std::string& name,
           const std::string& part) {
   // As if the file stood where the user's did, so that relative names mean the same.
-  const LoadedScenario loaded =
-      parseScenario(readTextFile(file), std::filesystem::path(directory) / std::filesystem::path(file).filename());
+  const LoadedScenario loaded = parseScenario(
+      readTextFile(file), std::filesystem::path(directory) / std::filesystem::path(file).filename());
   const PipelineSettings& pipeline = findPipeline(loaded.scenario, name);
   checkPrecision(pipeline);
   RunningRun run(loaded, pipeline);
@@ -127,10 +126,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
     settings.times_s = curveTimes_s(*order.curves);
   }
   std::optional<LawStatistics> laws;
-  if (!order.laws.empty()) {
-    settings.laws = &laws.emplace(order.laws, checked.loaded.scenario.force);
-    run.add(std::make_unique<LawStatisticsProbe>(*laws));
-  }
+  if (!order.laws.empty()) settings.laws = &laws.emplace(order.laws, checked.loaded.scenario.force);
   std::unique_ptr<RecordSink> sink;
   if (!part.empty()) sink = run.makePart(part);
   settings.next = sink.get();

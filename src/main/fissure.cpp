@@ -47,6 +47,7 @@ int start(int argc, char** argv) {
       "interrupted.");
   const std::string command_line = commandLine(argc, argv);
   const std::vector<Verb> verbs = {addRun(app, command_line),
+                                   addSweep(app, command_line),
                                    addPlan(app),
                                    addValidate(app),
                                    addList(app),

@@ -49,6 +49,7 @@ CheckedScenario checkScenario(const std::filesystem::path& file, const Selection
 
 /// The same for a scenario that is loaded already; `selection.overrides` is not looked at. `file` is used in
 /// messages.
-CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded, const Selection& selection);
+CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded,
+                            const Selection& selection);
 
 }  // namespace fissure

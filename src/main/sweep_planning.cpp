@@ -36,8 +36,7 @@ std::string nameFrom(const fs::path& directory, const fs::path& file) {
 
 void refuseTooMany(const fs::path& file, double runs, bool many) {
   const std::string found = file.string() + ": plans " + formatReal(runs) + " runs";
-  if (runs > max_sweep_runs)
-    throw InputError(found + ", expected at most " + formatReal(max_sweep_runs));
+  if (runs > max_sweep_runs) throw InputError(found + ", expected at most " + formatReal(max_sweep_runs));
   if (runs > many_sweep_runs && !many)
     throw InputError(found + ", expected at most " + formatReal(many_sweep_runs) + ", or --yes");
 }
@@ -66,7 +65,8 @@ std::vector<std::size_t> pointsToCheck(const SweepPoints& points) {
   }
   if (chosen.size() <= most_checks) return chosen;
   std::vector<std::size_t> some;
-  for (std::size_t i = 0; i < most_checks; ++i) some.push_back(chosen[i * (chosen.size() - 1) / (most_checks - 1)]);
+  for (std::size_t i = 0; i < most_checks; ++i)
+    some.push_back(chosen[i * (chosen.size() - 1) / (most_checks - 1)]);
   return some;
 }
 
@@ -75,8 +75,7 @@ class Planner {
   Planner(fs::path file, fs::path folder, bool many) : file_(std::move(file)), folder_(std::move(folder)) {
     manifest_.settings = loadSweep(file_);
     const fs::path base = manifest_.settings.directory / manifest_.settings.base;
-    const CheckedScenario checked =
-        checkScenario(base, {manifest_.settings.pipelines, {}, true, false});
+    const CheckedScenario checked = checkScenario(base, {manifest_.settings.pipelines, {}, true, false});
     base_ = checked.loaded;
     manifest_.scenario = base_.composed;
     manifest_.directory = nameFrom(folder_, base_.scenario.directory);
@@ -98,7 +97,8 @@ class Planner {
     std::set<std::string> precisions;
     for (const PipelineSettings& entry : base_.scenario.pipelines) precisions.insert(entry.precision);
     const std::vector<std::string>& paths = manifest_.points.paths();
-    if (std::any_of(paths.begin(), paths.end(), [](const std::string& p) { return p.ends_with(".precision"); }))
+    if (std::any_of(paths.begin(), paths.end(),
+                    [](const std::string& p) { return p.ends_with(".precision"); }))
       precisions = {"f32", "f64"};
     for (const std::string& precision : precisions)
       manifest_.engines[precision] = hashOf(engineProgram(precision));
@@ -130,7 +130,8 @@ class Planner {
     checked_curves_ = true;
     if (!curves->until_s) curves->until_s = std::max(checked.duration_s, curves->every_s);
     const Scenario& scenario = checked.loaded.scenario;
-    curveQuantities(curves->quantities, layoutOf(scenario, scenario.pipelines.front()), "curves.quantities");
+    manifest_.curves = curveQuantities(curves->quantities, layoutOf(scenario, scenario.pipelines.front()),
+                                       "curves.quantities");
   }
 
   fs::path file_, folder_;
@@ -150,9 +151,10 @@ void putManifest(const SweepManifest& manifest, const fs::path& folder) {
   if (fs::exists(manifestFile(folder), error)) {
     const std::string name = readManifest(folder).settings.name;
     if (name != manifest.settings.name)
-      throw InputError(folder.string() + ": holds the sweep \"" + name + "\", expected another folder for \"" +
-                       manifest.settings.name + "\"");
-  } else if (fs::exists(folder, error) && (!fs::is_directory(folder, error) || !fs::is_empty(folder, error))) {
+      throw InputError(folder.string() + ": holds the sweep \"" + name +
+                       "\", expected another folder for \"" + manifest.settings.name + "\"");
+  } else if (fs::exists(folder, error) &&
+             (!fs::is_directory(folder, error) || !fs::is_empty(folder, error))) {
     throw InputError(folder.string() + ": is no folder of a sweep, expected a new name or an empty folder");
   }
   fs::create_directories(folder, error);

@@ -47,12 +47,18 @@ std::string bytesOf(const fs::path& file) {
 }  // namespace
 
 TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task) {
-  TaskOrder order{plan.manifest().settings.name, plan.manifest().scenario, fs::absolute(plan.directory()),
-                  plan.overrides(task),          plan.manifest().pipelines[task.entry],
-                  {},                            plan.manifest().settings.curves};
+  TaskOrder order{plan.manifest().settings.name,         plan.manifest().scenario,
+                  fs::absolute(plan.directory()),        plan.overrides(task),
+                  plan.manifest().pipelines[task.entry], {},
+                  plan.manifest().settings.curves};
   if (task.laws.size() > 1)
     for (const std::size_t point : task.laws) order.laws.push_back(plan.lawsAt(point));
   return order;
+}
+
+bool isUntouched(const fs::path& file, long long bytes, long long time) {
+  const Stamp stamp = stampOf(file);
+  return stamp.bytes == bytes && stamp.time == time;
 }
 
 SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::vector<std::size_t> tasks,
@@ -85,7 +91,8 @@ fs::path SweepSession::work(std::size_t task, const char* ending) const {
 
 void SweepSession::run(Interrupt& interrupt) {
   WorkerPool(settings_.slots, interrupt)
-      .run(tasks_.size(), [this](std::size_t task) { return workerTask(task); }, *this);
+      .run(
+          tasks_.size(), [this](std::size_t task) { return workerTask(task); }, *this);
   journal_.sync(0);
   display_.clear();
 }
@@ -147,7 +154,8 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
   LoadedScenario loaded = parseScenario(
       plan_.manifest().scenario, plan_.directory() / plan_.manifest().settings.name, plan_.overrides(of));
   const std::string& entry = plan_.manifest().pipelines[of.entry];
-  std::erase_if(loaded.scenario.pipelines, [&](const PipelineSettings& other) { return other.name != entry; });
+  std::erase_if(loaded.scenario.pipelines,
+                [&](const PipelineSettings& other) { return other.name != entry; });
   loaded.scenario.expect.clear();
   loaded.scenario.record.force_inputs |= of.laws.size() > 1;
   loaded.resolved = toYaml(loaded.scenario);
@@ -156,8 +164,7 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
   times.wall_s = std::chrono::duration<double>(Clock::now() - running_.at(task).start).count();
   times.started -= std::chrono::duration_cast<std::chrono::system_clock::duration>(
       std::chrono::duration<double>(times.wall_s));
-  std::vector<PartResult> parts = {
-      {loaded.scenario.pipelines.front(), work(task, ".part"), record.status}};
+  std::vector<PartResult> parts = {{loaded.scenario.pipelines.front(), work(task, ".part"), record.status}};
   assembleApart(folder_ / name, loaded,
                 collectProvenance(loaded, inputHashes(loaded), settings_.command_line, times), parts, work_);
   if (!parts.front().part) throw RunError(parts.front().status.detail);
@@ -182,8 +189,9 @@ void SweepSession::finished(std::size_t task, const RunStatus& status) {
     const TaskRecord record = recordOf(task, status);
     journal_.append(encodeRecord(record));
     journal_.sync(sync_every_s);
-    ++(record.finished() ? counts_.finished : counts_.failed);
-    if (!record.finished() && first_failure_.empty())
+    const bool ok = record.status.status == "ok";
+    ++(ok ? counts_.ok : counts_.failed);
+    if (!ok && first_failure_.empty())
       first_failure_ = record.task + ": " + record.status.status +
                        (record.status.detail.empty() ? "" : " (" + record.status.detail + ")");
   }
@@ -197,7 +205,7 @@ void SweepSession::woke() {
 }
 
 std::string SweepSession::progressLine(double elapsed_s) const {
-  const std::size_t ended = counts_.finished + counts_.failed;
+  const std::size_t ended = counts_.ok + counts_.failed;
   double done = static_cast<double>(ended);
   for (const auto& [task, running] : running_)
     if (running.progress.steps > 0)

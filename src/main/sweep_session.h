@@ -20,10 +20,13 @@ namespace fissure {
 /// What of a simulation's order stands in its task.
 TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task);
 
+/// Whether a result file is as it was when its record was written, by size and time alone.
+bool isUntouched(const std::filesystem::path& file, long long bytes, long long time);
+
 /// How a session of a sweep went.
 struct SessionCounts {
-  std::size_t finished = 0;
-  std::size_t failed = 0;
+  std::size_t ok = 0;
+  std::size_t failed = 0;       ///< anything but status ok
   std::size_t interrupted = 0;  ///< stopped or not started
 };
 

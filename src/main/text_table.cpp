@@ -1,6 +1,8 @@
 #include "main/text_table.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 namespace fissure {
 
@@ -19,6 +21,18 @@ std::string alignedText(const std::vector<TextRow>& rows, std::size_t left) {
     text += line + "\n";
   }
   return text;
+}
+
+std::string sizeText(double bytes) {
+  constexpr std::array<const char*, 5> units = {"B", "kB", "MB", "GB", "TB"};
+  std::size_t unit = 0;
+  while (bytes >= 1000 && unit + 1 < units.size()) {
+    bytes /= 1000;
+    ++unit;
+  }
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
+  return text.data();
 }
 
 }  // namespace fissure

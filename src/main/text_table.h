@@ -12,4 +12,7 @@ using TextRow = std::vector<std::string>;
 /// between columns, none at the ends of lines.
 std::string alignedText(const std::vector<TextRow>& rows, std::size_t left);
 
+/// "12 B", "3.1 MB".
+std::string sizeText(double bytes);
+
 }  // namespace fissure

@@ -1,6 +1,4 @@
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <iostream>
 #include <memory>
 
@@ -8,6 +6,7 @@
 #include "main/result_table.h"
 #include "main/run_plan.h"
 #include "main/scenario_options.h"
+#include "main/text_table.h"
 #include "main/verbs.h"
 #include "mesh/fixed_vertices.h"
 #include "mesh/place.h"
@@ -17,18 +16,6 @@
 namespace fissure {
 
 namespace {
-
-std::string sizeText(double bytes) {
-  constexpr std::array<const char*, 5> units = {"B", "kB", "MB", "GB", "TB"};
-  std::size_t unit = 0;
-  while (bytes >= 1000 && unit + 1 < units.size()) {
-    bytes /= 1000;
-    ++unit;
-  }
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
-  return text.data();
-}
 
 /// What the rules of a replay have found in its log: "replay: 1501 samples, 12 held samples, 0 gaps ..."
 void printReplay(const ToolSettings& tool, const std::filesystem::path& directory) {

@@ -19,6 +19,7 @@ inline std::string notEmpty(const std::string& file) {
 
 /// `command_line`: as provenance records it.
 Verb addRun(CLI::App& app, const std::string& command_line);
+Verb addSweep(CLI::App& app, const std::string& command_line);
 Verb addPlan(CLI::App& app);
 Verb addValidate(CLI::App& app);
 Verb addList(CLI::App& app);

@@ -36,10 +36,12 @@ class WorkerPool {
   /// Runs all tasks, in order of their start, and returns when the last has ended. The observer hears every
   /// end at once; what it throws stops all workers and is passed on.
   void run(const std::vector<WorkerTask>& tasks, PoolObserver& observer) {
-    run(tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
+    run(
+        tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
   }
   /// The same of tasks that are made when their turn comes; a RunError then is that task's end ("failed").
-  void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make, PoolObserver& observer);
+  void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make,
+           PoolObserver& observer);
 
  private:
   struct Running {

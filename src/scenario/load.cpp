@@ -29,8 +29,8 @@ std::string relativeToScenario(const std::string& name, const Origin& origin, co
   return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();
 }
 
-/// Makes the name of an input start from the scenario's directory, in `root` too, and says which file it is. `path`: where
-/// the scenario names it; `kind`: what it should be.
+/// Makes the name of an input start from the scenario's directory, in `root` too, and says which file it is.
+/// `path`: where the scenario names it; `kind`: what it should be.
 Path resolve(std::string& name, const std::string& path, const char* kind, YamlNode& root,
              const Path& directory) {
   const Origin origin = locate(root, path);

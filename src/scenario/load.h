@@ -17,7 +17,7 @@ struct Override {
 /// A scenario with what its result must remember.
 struct LoadedScenario {
   Scenario scenario;
-  std::string source;    ///< the file, verbatim
+  std::string source;  ///< the file, verbatim
   /// The file with its bases and overrides merged in, without what it leaves out: a line of YAML that reads
   /// as the file does, from the same directory. Overrides mean the same on top of it; on top of `resolved`
   /// they would not, because defaults are written out there.

@@ -67,7 +67,8 @@ JournalWriter::JournalWriter(const fs::path& folder) {
   constexpr int ending = 8;  // ".journal"
   if (!error) file_ = Descriptor(::mkostemps(name.data(), ending, O_APPEND | O_CLOEXEC));
   if (!file_.open())
-    throw RunError(folder.string() + ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
+    throw RunError(folder.string() +
+                   ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
   path_ = name;
   ::fchmod(file_.number(), 0644);
   ::flock(file_.number(), LOCK_EX | LOCK_NB);  // where the file system has no locks, leftovers stay

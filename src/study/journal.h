@@ -23,7 +23,8 @@ class JournalWriter {
 
   /// Throws RunError ("is the disk full?"); what came before stays whole then.
   void append(const std::string& record);
-  /// Makes what was appended survive a loss of power; does nothing when that was done less than `every_s` ago.
+  /// Makes what was appended survive a loss of power; does nothing when that was done less than `every_s`
+  /// ago.
   void sync(double every_s);
 
   const std::filesystem::path& path() const { return path_; }

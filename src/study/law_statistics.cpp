@@ -46,8 +46,7 @@ void LawStatistics::add(const State& state) {
     const LawValue& value = family_.values()[i];
     laws_[i].max_N.add(value.force_N);
     laws_[i].roughness.add(value.force_N);
-    if (laws_[i].non_finite_at_step < 0 &&
-        !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
+    if (laws_[i].non_finite_at_step < 0 && !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
       laws_[i].non_finite_at_step = state.step;
   }
 }
@@ -67,7 +66,8 @@ void LawStatistics::summarize(std::size_t row, Summary& summary) const {
   for (std::size_t i = 0; i < names_.size(); ++i) {
     add(i, "_" + names_[i]);
     const long long step = laws_[row * names_.size() + i].non_finite_at_step;
-    summary.push_back({"force_non_finite_at_step_" + names_[i], step < 0 ? kMissing : static_cast<double>(step)});
+    summary.push_back(
+        {"force_non_finite_at_step_" + names_[i], step < 0 ? kMissing : static_cast<double>(step)});
   }
 }
 

@@ -3,14 +3,16 @@
 #include <string>
 #include <vector>
 
-#include "base/probe.h"
+#include "base/record.h"
+#include "base/state.h"
 #include "measure/statistics.h"
 #include "study/law_family.h"
 
 namespace fissure {
 
-/// What a run's summary says about its force laws, for many sets of laws over one simulation. The force limits
-/// of devices and the roughness of the triangles that stay are not among it: they need more of each triangle.
+/// What a run's summary says about its force laws, for many sets of laws over one simulation. The force
+/// limits of devices and the roughness of the triangles that stay are not among it: they need more of each
+/// triangle.
 class LawStatistics {
  public:
   /// `rows`: sets of as many laws as the scenario has, in its order, with other coefficients.
@@ -37,18 +39,6 @@ class LawStatistics {
   std::vector<std::string> names_;
   LawFamily family_;
   std::vector<Law> laws_;  ///< row by row
-};
-
-/// Feeds LawStatistics from every step; `statistics` must outlive it.
-class LawStatisticsProbe : public Probe {
- public:
-  explicit LawStatisticsProbe(LawStatistics& statistics) : statistics_(statistics) {}
-  void declare(RecordLayout&) override {}
-  void sample(const State& state, RecordRow&) override { statistics_.add(state); }
-  void summarize(Summary&) const override {}
-
- private:
-  LawStatistics& statistics_;
 };
 
 }  // namespace fissure

@@ -22,7 +22,8 @@ std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names
     if (series.axes.empty()) known.push_back({series.name, series.units, series.long_name, false});
     if (series.name == "force" || series.name == "force_elastic" || series.name == "force_viscous")
       known.push_back({series.name, series.units,
-                       series.name == "force" ? "magnitude of the force on the tools" : series.long_name, true});
+                       series.name == "force" ? "magnitude of the force on the tools" : series.long_name,
+                       true});
   }
   if (layout.find("tool_position") && layout.find("contact_count"))
     known.push_back({"indentation", "m", "way of the first tool since it first touched tissue", false});
@@ -33,7 +34,8 @@ std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names
     const auto is = [&](const CurveQuantity& quantity) { return quantity.name == name; };
     const auto at = std::find_if(known.begin(), known.end(), is);
     if (at == known.end())
-      throw InputError(where + ": no quantity \"" + name + "\" with one value a step" + didYouMean(name, choices));
+      throw InputError(where + ": no quantity \"" + name + "\" with one value a step" +
+                       didYouMean(name, choices));
     if (std::any_of(found.begin(), found.end(), is))
       throw InputError(where + ": \"" + name + "\" twice, expected each quantity once");
     found.push_back(*at);
@@ -104,6 +106,11 @@ std::vector<double> RunRecorder::valuesOf(const RecordRow& row) {
 void RunRecorder::keep(std::size_t time, const std::vector<double>& values) {
   const std::size_t times = settings_.times_s.size();
   for (std::size_t i = 0; i < values.size(); ++i) numbers_.curves[i * times + time] = values[i];
+}
+
+void RunRecorder::forceInputs(const State& state) {
+  if (settings_.next) settings_.next->forceInputs(state);
+  if (settings_.laws) settings_.laws->add(state);
 }
 
 void RunRecorder::append(const RecordRow& row) {

@@ -12,17 +12,10 @@
 
 namespace fissure {
 
-/// A quantity that a sweep keeps over its common time.
-struct CurveQuantity {
-  std::string name;
-  std::string units;
-  std::string long_name;
-  bool per_law = false;
-};
-
-/// The curves of these names over runs with this layout: "force" (magnitude), "force_elastic", "force_viscous"
-/// of every law; "indentation", the way of the first tool since it first touched tissue; every series with
-/// one value a step under its own name. Throws InputError about `where` for a name that is none of them.
+/// The curves of these names over runs with this layout: "force" (magnitude), "force_elastic",
+/// "force_viscous" of every law; "indentation", the way of the first tool since it first touched tissue;
+/// every series with one value a step under its own name. Throws InputError about `where` for a name that is
+/// none of them.
 std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names, const RecordLayout& layout,
                                            const std::string& where);
 
@@ -35,13 +28,14 @@ class RunRecorder : public RecordSink {
  public:
   struct Settings {
     std::vector<CurveQuantity> curves = {};
-    std::vector<double> times_s = {};       ///< of the curves
-    const LawStatistics* laws = nullptr;    ///< several sets of laws: fed before each row is appended
-    RecordSink* next = nullptr;             ///< gets everything too
+    std::vector<double> times_s = {};  ///< of the curves
+    LawStatistics* laws = nullptr;     ///< several sets of laws; the scenario asks for force inputs then
+    RecordSink* next = nullptr;        ///< gets everything too
   };
   /// What the layout and the settings refer to must outlive it.
   RunRecorder(const RecordLayout& layout, Settings settings);
 
+  void forceInputs(const State& state) override;
   void append(const RecordRow& row) override;
   void snapshot(const State& state) override;
   void frame(double time_s, const Image& image) override;
@@ -57,10 +51,10 @@ class RunRecorder : public RecordSink {
 
   const RecordLayout& layout_;
   Settings settings_;
-  std::size_t laws_ = 0;                ///< of the scenario
+  std::size_t laws_ = 0;  ///< of the scenario
   std::size_t rows_ = 1;
-  std::size_t width_ = 0;               ///< values of one row of laws at one time
-  std::vector<double> before_;          ///< valuesOf() the step before
+  std::size_t width_ = 0;       ///< values of one row of laws at one time
+  std::vector<double> before_;  ///< valuesOf() the step before
   double before_s_ = 0;
   std::size_t next_time_ = 0;
   bool touched_ = false;

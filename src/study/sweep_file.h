@@ -37,9 +37,17 @@ struct SweepCondition {
 
 enum class SweepDesign { grid, random, latin_hypercube, sobol };
 
+/// A quantity that a sweep keeps over its common time.
+struct CurveQuantity {
+  std::string name;
+  std::string units;
+  std::string long_name;
+  bool per_law = false;
+};
+
 /// Quantities over a common time.
 struct SweepCurves {
-  std::vector<std::string> quantities;  ///< names in curveQuantities(), or of series with one value a step
+  std::vector<std::string> quantities;  ///< see curveQuantities()
   double every_s = 0;                   ///< > 0
   std::optional<double> until_s;        ///< >= every_s; default: as long as the base scenario runs
 };
@@ -63,9 +71,9 @@ struct SweepSettings {
   std::vector<AxisGroup> axes;
   std::vector<std::vector<SweepCondition>> exclude;  ///< points for which all conditions of one item hold
   SweepDesign design = SweepDesign::grid;
-  std::optional<int> count;         ///< points of the other designs
-  std::optional<int> seed;          ///< of the other designs
-  int repeats = 1;                  ///< of every simulation: for its timings, and to see that all else is equal
+  std::optional<int> count;  ///< points of the other designs
+  std::optional<int> seed;   ///< of the other designs
+  int repeats = 1;           ///< of every simulation: for its timings, and to see that all else is equal
   SweepKeep keep = SweepKeep::metrics;
   std::optional<SweepCurves> curves;
   SweepLimits limits;

@@ -60,9 +60,11 @@ SweepManifest fromJson(const ordered_json& json) {
   manifest.inputs = json.at("inputs").get<std::map<std::string, std::string>>();
   manifest.engines = json.at("engines").get<std::map<std::string, std::string>>();
   manifest.pipelines = json.at("pipelines").get<std::vector<std::string>>();
+  for (const ordered_json& curve : json.at("curve_quantities"))
+    manifest.curves.push_back(
+        {curve.at("name"), curve.at("units"), curve.at("long_name"), curve.at("per_law")});
   manifest.points = readPoints(json);
-  if (manifest.pipelines.empty() || manifest.settings.repeats < 1)
-    throw std::out_of_range("no run is in it");
+  if (manifest.pipelines.empty() || manifest.settings.repeats < 1) throw std::out_of_range("no run is in it");
   return manifest;
 }
 
@@ -79,6 +81,12 @@ std::string manifestText(const SweepManifest& manifest) {
     curves = {{"quantities", settings.curves->quantities},
               {"every_s", settings.curves->every_s},
               {"until_s", orNull(settings.curves->until_s)}};
+  ordered_json quantities = ordered_json::array();
+  for (const CurveQuantity& curve : manifest.curves)
+    quantities.push_back({{"name", curve.name},
+                          {"units", curve.units},
+                          {"long_name", curve.long_name},
+                          {"per_law", curve.per_law}});
   const ordered_json json = {
       {"format", format_name},
       {"format_version", format_version},
@@ -89,6 +97,7 @@ std::string manifestText(const SweepManifest& manifest) {
       {"design", static_cast<int>(settings.design)},
       {"keep", static_cast<int>(settings.keep)},
       {"curves", curves},
+      {"curve_quantities", quantities},
       {"limits",
        {{"time_s", orNull(settings.limits.time_s)}, {"memory_mb", orNull(settings.limits.memory_mb)}}},
       {"directory", manifest.directory},

@@ -13,12 +13,13 @@ namespace fissure {
 
 /// All that fixes what a sweep computes, in one file: manifest.json of its folder.
 struct SweepManifest {
-  SweepSettings settings;                    ///< `axes` and `exclude` are in `points`, and not kept
-  std::string scenario;                      ///< LoadedScenario::composed of the base
-  std::string directory;                     ///< where its file names start, from the sweep's folder
+  SweepSettings settings;                      ///< `axes` and `exclude` are in `points`, and not kept
+  std::string scenario;                        ///< LoadedScenario::composed of the base
+  std::string directory;                       ///< where its file names start, from the sweep's folder
   std::map<std::string, std::string> inputs;   ///< meshes and logs, named from `directory`, and their hashes
   std::map<std::string, std::string> engines;  ///< hash of the worker program, by its precision
-  std::vector<std::string> pipelines;        ///< names of the entries that are run
+  std::vector<std::string> pipelines;          ///< names of the entries that are run
+  std::vector<CurveQuantity> curves;           ///< what the settings' curves are
   SweepPoints points;
 };
 

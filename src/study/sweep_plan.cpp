@@ -218,25 +218,4 @@ std::string SweepPlan::precision(const SweepTask& task) const {
   return entry(task.entry).precision;
 }
 
-std::vector<std::string> SweepPlan::axisNames() const {
-  std::vector<std::vector<std::string>> parts;
-  for (const std::string& path : manifest_.points.paths()) parts.push_back(partsOf(path));
-  const auto ending = [](const std::vector<std::string>& path, std::size_t count) {
-    std::string name;
-    for (std::size_t i = path.size() - std::min(count, path.size()); i < path.size(); ++i)
-      name += (name.empty() ? "" : "_") + path[i];
-    return name;
-  };
-  std::vector<std::string> names;
-  for (const auto& path : parts) {
-    std::size_t count = 1;
-    const auto shared = [&](const std::vector<std::string>& other) {
-      return &other != &path && ending(other, count) == ending(path, count);
-    };
-    while (count < path.size() && std::any_of(parts.begin(), parts.end(), shared)) ++count;
-    names.push_back(ending(path, count));
-  }
-  return names;
-}
-
 }  // namespace fissure

@@ -60,15 +60,13 @@ class SweepPlan {
   const PipelineSettings& entry(std::size_t index) const;
   /// Precision of a task's worker.
   std::string precision(const SweepTask& task) const;
-  /// Names of the axes for tables: the shortest end of each path that no other axis has.
-  std::vector<std::string> axisNames() const;
 
  private:
   struct Axis {
     bool law = false;
-    std::size_t law_index = 0;    ///< of the scenario's force laws
-    std::string coefficient;      ///< "k", "lambda", "n" or "c"
-    std::string only_entry;       ///< the only entry that reads it; empty: all do
+    std::size_t law_index = 0;  ///< of the scenario's force laws
+    std::string coefficient;    ///< "k", "lambda", "n" or "c"
+    std::string only_entry;     ///< the only entry that reads it; empty: all do
   };
   struct Place {
     std::size_t task, law;
@@ -83,7 +81,7 @@ class SweepPlan {
   SweepManifest manifest_;
   LoadedScenario base_;
   std::vector<Axis> axes_;
-  std::vector<std::string> plain_;  ///< of the points' texts: numbers that are equal have equal texts
+  std::vector<std::string> plain_;     ///< of the points' texts: numbers that are equal have equal texts
   std::vector<std::size_t> text_ids_;  ///< of the points' texts: the first with the same plain text
   std::vector<SweepTask> tasks_;
   std::vector<Place> places_;  ///< of the runs

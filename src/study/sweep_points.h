@@ -29,7 +29,7 @@ class SweepPoints {
     return texts_[points_[point * paths_.size() + axis]];
   }
 
-  const std::vector<std::string>& texts() const { return texts_; }    ///< those that value() picks from
+  const std::vector<std::string>& texts() const { return texts_; }     ///< those that value() picks from
   const std::vector<std::size_t>& indices() const { return points_; }  ///< row by row: of texts()
 
   /// How many points the design has, with those that are excluded: a double, because a grid may have more

@@ -20,17 +20,17 @@ std::filesystem::path resultFolder(const std::filesystem::path& folder);
 /// other one. `plan` must outlive it.
 class SweepState {
  public:
-  /// Throws RunError when a journal cannot be read, or when two finished records of a task, or of its repeats,
-  /// differ: simulations are deterministic, so one of them is wrong.
+  /// Throws RunError when a journal cannot be read, or when two finished records of a task, or of its
+  /// repeats, differ: simulations are deterministic, so one of them is wrong.
   SweepState(const SweepPlan& plan, const std::filesystem::path& folder);
 
   struct Task {
     std::optional<JournalPlace> place;  ///< nothing: it has no record
     RunStatus status;                   ///< "missing" without a record
     bool finished = false;
-    double wall_s = 0;          ///< of its worker, where that is known
+    double wall_s = 0;  ///< of its worker, where that is known
     std::string numbers_hash;
-    std::string file;           ///< TaskRecord::file and what goes with it
+    std::string file;  ///< TaskRecord::file and what goes with it
     long long file_bytes = 0, file_time = 0;
   };
   const Task& task(std::size_t index) const { return tasks_[index]; }

@@ -49,8 +49,12 @@ std::string orderText(const TaskOrder& order) {
 TaskOrder parseOrder(const std::string& text) {
   try {
     const json from = json::parse(text);
-    TaskOrder order{from.at("name"), from.at("scenario"), from.at("directory").get<std::string>(),
-                    {},              from.at("pipeline"), readLaws(from.at("coefficients"), from.at("laws")),
+    TaskOrder order{from.at("name"),
+                    from.at("scenario"),
+                    from.at("directory").get<std::string>(),
+                    {},
+                    from.at("pipeline"),
+                    readLaws(from.at("coefficients"), from.at("laws")),
                     {}};
     for (const json& pair : from.at("set")) order.overrides.push_back({pair.at(0), pair.at(1)});
     if (!from.contains("curves")) return order;

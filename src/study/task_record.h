@@ -11,7 +11,7 @@ namespace fissure {
 
 /// What one simulation of a sweep gave, a row a set of force laws.
 struct TaskNumbers {
-  std::vector<std::string> names;            ///< of the summary's numbers, without timing
+  std::vector<std::string> names;  ///< of the summary's numbers, without timing
   std::size_t rows = 0;
   std::vector<double> values;                ///< row by row
   std::vector<double> curves;                ///< row by row, all of a row one after the other

@@ -1,0 +1,307 @@
+#include <unistd.h>
+
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "base/error.h"
+#include "main/build_info.h"
+#include "main/exit_codes.h"
+#include "main/provenance.h"
+#include "main/result_json.h"
+#include "main/sweep_estimate.h"
+#include "main/sweep_planning.h"
+#include "main/sweep_session.h"
+#include "main/text_table.h"
+#include "main/verbs.h"
+#include "process/apart.h"
+#include "scenario/scalars.h"
+#include "study/sweep_merge.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Shard {
+  std::size_t index = 1, count = 1;
+};
+
+struct SweepOptions {
+  std::string sweep;  ///< file, or the folder of a planned one
+  std::string folder;
+  std::string shard;
+  int slots = 1;
+  bool dry_run = false;
+  bool many = false;
+  bool fail_fast = false;
+  bool json = false;
+  std::string command_line;
+};
+
+Shard parseShard(const std::string& text) {
+  if (text.empty()) return {};
+  const std::size_t slash = text.find('/');
+  const std::optional<int> index = toInt(text.substr(0, slash));
+  const std::optional<int> count = slash == std::string::npos ? std::nullopt : toInt(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *count < *index)
+    throw InputError("--shard " + text + ": not a shard, expected I/N with I from 1 to N");
+  return {static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+/// Where the sweep's folder is; default: results/<name of the file without .yaml>.
+fs::path folderOf(const SweepOptions& options) {
+  std::error_code ignored;
+  if (fs::is_directory(options.sweep, ignored)) {
+    if (!options.folder.empty())
+      throw InputError("-o " + options.folder + ": " + options.sweep +
+                       " is the folder of a sweep already, expected a sweep file");
+    return options.sweep;
+  }
+  if (!options.folder.empty()) return options.folder;
+  return fs::path("results") / fs::path(options.sweep).stem();
+}
+
+std::string axisText(const SweepPoints& points, std::size_t axis) {
+  std::set<std::string> texts;
+  std::optional<double> least, most;
+  bool numeric = true;
+  for (std::size_t point = 0; point < points.size(); ++point) {
+    const std::string& text = points.value(point, axis);
+    texts.insert(text);
+    const std::optional<double> number = toReal(text);
+    numeric &= number.has_value();
+    if (!number) continue;
+    least = std::min(least.value_or(*number), *number);
+    most = std::max(most.value_or(*number), *number);
+  }
+  std::string text = "  " + points.paths()[axis] + ": " + std::to_string(texts.size()) +
+                     (texts.size() == 1 ? " value" : " values");
+  if (numeric) return text + ", " + formatReal(*least) + " to " + formatReal(*most);
+  if (texts.size() > 6) return text;
+  text += ":";
+  for (const std::string& value : texts) text += " " + value;
+  return text;
+}
+
+std::string counted(std::size_t count, const char* what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void printPlan(const SweepPlan& plan, std::ostream& out) {
+  const SweepManifest& manifest = plan.manifest();
+  out << "sweep " << manifest.settings.name << ": " << counted(manifest.points.size(), "point") << " x "
+      << counted(manifest.pipelines.size(), "pipeline");
+  if (manifest.settings.repeats > 1) out << " x " << manifest.settings.repeats << " repeats";
+  out << " = " << counted(plan.runs(), "run") << " in " << counted(plan.tasks().size(), "simulation") << "\n";
+  for (std::size_t a = 0; a < manifest.points.paths().size(); ++a)
+    out << axisText(manifest.points, a) << (plan.isLawAxis(a) ? " (moves nothing)" : "") << "\n";
+}
+
+void printEstimate(const SweepEstimate& estimate, std::size_t tasks, std::size_t all, int slots,
+                   std::ostream& out) {
+  out << "to do: " << tasks << " of " << counted(all, "simulation");
+  if (estimate.one_s)
+    out << ", about " << durationText(estimate.total_s(tasks, slots)) << " with -j " << slots << " ("
+        << std::round(*estimate.one_s * 1e3) << " ms each)";
+  if (tasks > 0) out << ", about " << sizeText(estimate.bytes) << " on disk";
+  out << "\n";
+}
+
+/// Result files that somebody damaged or removed are made again.
+void forgetLostResults(const SweepPlan& plan, const fs::path& folder, SweepState& state) {
+  if (plan.manifest().settings.keep != SweepKeep::results) return;
+  for (std::size_t i = 0; i < plan.tasks().size(); ++i) {
+    const SweepState::Task& task = state.task(i);
+    if (!task.finished || task.file.empty() ||
+        isUntouched(folder / task.file, task.file_bytes, task.file_time))
+      continue;
+    try {
+      tryReading(folder / task.file, [&] {
+        if (!readResultInfo(folder / task.file).complete) throw InputError("not complete");
+      });
+    } catch (const InputError&) {
+      state.forget(i);
+    }
+  }
+}
+
+Provenance provenanceOf(const SweepPlan& plan, const std::string& command_line) {
+  std::string inputs;
+  for (const auto& [name, hash] : plan.manifest().inputs)
+    inputs += (inputs.empty() ? "" : ", ") + name + "=" + hash;
+  const auto now = std::chrono::system_clock::now();
+  LoadedScenario base = plan.base();
+  base.resolved = plan.manifest().scenario;
+  return collectProvenance(base, inputs, command_line, {now, now, 0});
+}
+
+int codeOf(const std::map<std::string, std::size_t>& counts) {
+  for (const auto& [status, count] : counts)
+    if (status != "ok") return exit_run_failed;
+  return exit_good;
+}
+
+nlohmann::ordered_json countsJson(const std::map<std::string, std::size_t>& counts) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& [status, count] : counts) json[status] = count;
+  return json;
+}
+
+void printCounts(const SweepPlan& plan, const SweepState& state) {
+  std::cout << counted(plan.runs(), "run") << ":";
+  const char* comma = " ";
+  for (const auto& [status, count] : countRuns(plan, state)) {
+    std::cout << comma << count << " " << status;
+    comma = ", ";
+  }
+  std::cout << "\n";
+  if (state.strangers() > 0)
+    std::cout << counted(state.strangers(), "record") << " of an earlier form of the sweep\n";
+  for (const fs::path& journal : state.damaged())
+    std::cout << journal.string() << ": its end is torn or damaged, what it held is made again\n";
+}
+
+/// Tables of all that is known, and what they say.
+int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::string& command_line) {
+  SweepState state(plan, folder);
+  forgetLostResults(plan, folder, state);
+  writeSweepTables(plan, state, folder, provenanceOf(plan, command_line));
+  const auto counts = countRuns(plan, state);
+  const int code = codeOf(counts);
+  if (json) {
+    std::cout << jsonText({{"exit_code", code},
+                           {"sweep", plan.manifest().settings.name},
+                           {"runs", plan.runs()},
+                           {"simulations", plan.tasks().size()},
+                           {"status", countsJson(counts)},
+                           {"table", tableFile(folder).string()},
+                           {"csv", csvFile(folder).string()}});
+  } else {
+    printCounts(plan, state);
+    std::cout << "table: " << tableFile(folder).string() << "\n";
+  }
+  return code;
+}
+
+int runSweep(const SweepOptions& options) {
+  const fs::path folder = folderOf(options);
+  const Shard shard = parseShard(options.shard);
+  std::error_code ignored;
+  const bool planned = fs::is_directory(options.sweep, ignored);
+  SweepManifest manifest = planned ? readManifest(folder) : planSweep(options.sweep, folder, options.many);
+  if (planned) refuseOtherPlan(manifest, folder);
+  Interrupt interrupt;
+  if (!planned && !options.dry_run) putManifest(manifest, folder);
+  const SweepPlan plan(std::move(manifest), folder);
+  SweepState state(plan, folder);
+  forgetLostResults(plan, folder, state);
+  std::vector<std::size_t> tasks = state.unfinished();
+  std::erase_if(tasks, [&](std::size_t task) { return task % shard.count != shard.index - 1; });
+
+  std::ostream& out = options.json ? std::cerr : std::cout;
+  printPlan(plan, out);
+  const std::size_t timed_from = options.dry_run ? 1 : 8 * static_cast<std::size_t>(options.slots);
+  printEstimate(estimateSweep(plan, state, tasks, timed_from, interrupt), tasks.size(), plan.tasks().size(),
+                options.slots, out);
+  out.flush();
+  if (options.dry_run) return exit_good;
+
+  ProgressDisplay display(std::cerr, STDERR_FILENO);
+  SessionCounts counts;
+  std::string failure;
+  if (!tasks.empty()) {
+    SweepSession session(plan, folder, std::move(tasks),
+                         {options.slots, options.fail_fast, options.command_line}, display);
+    session.run(interrupt);
+    counts = session.counts();
+    failure = session.firstFailure();
+  }
+  if (!failure.empty()) std::cerr << "first failure: " << failure << "\n";
+  if (counts.failed > 0 && options.fail_fast) return exit_run_failed;
+  if (counts.interrupted > 0 || interrupt.requested()) {
+    std::cerr << "interrupted; `fissure sweep " << folder.string() << "` goes on\n";
+    return exit_interrupted;
+  }
+  if (shard.count == 1) return finish(plan, folder, options.json, options.command_line);
+  out << "shard " << options.shard << ": " << counts.ok << " ok, " << counts.failed << " failed\n";
+  return counts.failed > 0 ? exit_run_failed : exit_good;
+}
+
+struct FolderOptions {
+  std::string folder;
+  bool json = false;
+};
+
+int showStatus(const FolderOptions& options) {
+  const SweepPlan plan(readManifest(options.folder), options.folder);
+  SweepState state(plan, options.folder);
+  forgetLostResults(plan, options.folder, state);
+  const auto counts = countRuns(plan, state);
+  if (options.json) {
+    std::cout << jsonText({{"sweep", plan.manifest().settings.name},
+                           {"runs", plan.runs()},
+                           {"simulations", plan.tasks().size()},
+                           {"unfinished_simulations", state.unfinished().size()},
+                           {"status", countsJson(counts)}});
+    return exit_good;
+  }
+  printPlan(plan, std::cout);
+  std::cout << "to do: " << state.unfinished().size() << " of " << counted(plan.tasks().size(), "simulation")
+            << "\n";
+  printCounts(plan, state);
+  return exit_good;
+}
+
+int mergeFolder(const FolderOptions& options, const std::string& command_line) {
+  return finish(SweepPlan(readManifest(options.folder), options.folder), options.folder, options.json,
+                command_line);
+}
+
+CLI::App* addFolderVerb(CLI::App& parent, const char* name, const char* help, FolderOptions& options) {
+  CLI::App* command = parent.add_subcommand(name, help);
+  command->add_option("folder", options.folder, "folder of the sweep")->required()->check(notEmpty);
+  command->add_flag("--json", options.json, "for machines, on standard output");
+  return command;
+}
+
+void addOptions(CLI::App& command, SweepOptions& options) {
+  command.add_option("sweep", options.sweep, "sweep file, or the folder of a sweep to go on with")
+      ->check(notEmpty);
+  command
+      .add_option("-o,--output", options.folder,
+                  "folder of the sweep; default: results/<name of the sweep file>")
+      ->check(notEmpty);
+  command.add_option("-j,--jobs", options.slots, "simulations side by side")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command.add_flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
+  command.add_flag("--yes", options.many, "plan more than 100,000 runs");
+  command.add_option("--shard", options.shard,
+                     "I/N: only every N-th simulation, from the I-th on; then `sweep merge`");
+  command.add_flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");
+  command.add_flag("--json", options.json, "what became of the runs, for machines, on standard output");
+}
+
+}  // namespace
+
+Verb addSweep(CLI::App& app, const std::string& command_line) {
+  CLI::App* command = app.add_subcommand("sweep", "run a scenario at many points of its parameters");
+  const auto options = std::make_shared<SweepOptions>();
+  options->command_line = command_line;
+  addOptions(*command, *options);
+  const auto folder = std::make_shared<FolderOptions>();
+  CLI::App* status = addFolderVerb(*command, "status", "how far a sweep is, from its files alone", *folder);
+  CLI::App* merge =
+      addFolderVerb(*command, "merge", "write sweep.h5 and sweep.csv of what is there", *folder);
+  return {command, [=] {
+            if (status->parsed()) return showStatus(*folder);
+            if (merge->parsed()) return mergeFolder(*folder, command_line);
+            if (options->sweep.empty()) throw InputError("sweep: no sweep file is named, expected one");
+            return runSweep(*options);
+          }};
+}
+
+}  // namespace fissure

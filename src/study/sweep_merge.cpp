@@ -1,0 +1,190 @@
+#include "study/sweep_merge.h"
+
+#include <algorithm>
+#include <array>
+#include <list>
+#include <set>
+#include <unordered_map>
+
+#include "measure/statistics.h"
+#include "scenario/scalars.h"
+#include "store/sweep_csv.h"
+#include "store/sweep_names.h"
+#include "store/sweep_table_writer.h"
+#include "study/run_recorder.h"
+
+namespace fissure {
+
+namespace {
+
+/// The record of one task, as rows of the table need it.
+struct TaskRows {
+  TaskNumbers numbers;
+  std::map<std::string, double> timing;
+  std::vector<std::size_t> columns;  ///< in numbers, of the table's metrics; numbers.names.size(): has none
+
+  std::size_t bytes() const { return 8 * (numbers.values.size() + numbers.curves.size()) + 1024; }
+};
+
+/// Records that were read last: runs of one task are far apart where an axis of force laws comes first.
+class RecordCache {
+ public:
+  RecordCache(const SweepState& state, std::vector<SweepMetric> metrics)
+      : state_(state), metrics_(std::move(metrics)) {}
+
+  const TaskRows& at(std::size_t task) {
+    const auto found = known_.find(task);
+    if (found != known_.end()) {
+      order_.splice(order_.begin(), order_, found->second);
+      return found->second->second;
+    }
+    order_.emplace_front(task, read(task));
+    known_[task] = order_.begin();
+    bytes_ += order_.front().second.bytes();
+    while (bytes_ > most_bytes && order_.size() > 1) {
+      bytes_ -= order_.back().second.bytes();
+      known_.erase(order_.back().first);
+      order_.pop_back();
+    }
+    return order_.front().second;
+  }
+
+ private:
+  static constexpr std::size_t most_bytes = std::size_t{64} << 20;
+
+  TaskRows read(std::size_t task) const {
+    const TaskRecord record = state_.record(task);
+    TaskRows rows{decodeNumbers(record.numbers), record.timing, {}};
+    std::unordered_map<std::string, std::size_t> places;
+    for (std::size_t i = 0; i < rows.numbers.names.size(); ++i) places[rows.numbers.names[i]] = i;
+    for (const SweepMetric& metric : metrics_) {
+      const auto place = places.find(metric.name);
+      rows.columns.push_back(place == places.end() ? places.size() : place->second);
+    }
+    return rows;
+  }
+
+  const SweepState& state_;
+  std::vector<SweepMetric> metrics_;
+  std::list<std::pair<std::size_t, TaskRows>> order_;  ///< last used first
+  std::unordered_map<std::size_t, std::list<std::pair<std::size_t, TaskRows>>::iterator> known_;
+  std::size_t bytes_ = 0;
+};
+
+/// All numbers that any record has, in the order in which the plan's tasks bring them, then the timings.
+std::vector<SweepMetric> metricsOf(const SweepPlan& plan, const SweepState& state) {
+  std::vector<SweepMetric> metrics;
+  std::set<std::string> seen, timings;
+  for (std::size_t task = 0; task < plan.tasks().size(); ++task) {
+    if (!state.task(task).place) continue;
+    const TaskRecord record = state.record(task);
+    for (const auto& [name, value] : record.timing) timings.insert(name);
+    if (record.numbers.empty()) continue;
+    for (const std::string& name : decodeNumbers(record.numbers).names)
+      if (seen.insert(name).second) metrics.push_back({name});
+  }
+  for (const std::string& name : timings) metrics.push_back({name});
+  return metrics;
+}
+
+std::string designName(SweepDesign design) {
+  constexpr std::array names = {"grid", "random", "latin_hypercube", "sobol"};
+  return names[static_cast<std::size_t>(design)];
+}
+
+SweepTableLayout layoutOf(const SweepPlan& plan, std::vector<SweepMetric> metrics,
+                          const Provenance& provenance) {
+  const SweepManifest& manifest = plan.manifest();
+  SweepTableLayout layout;
+  layout.title = manifest.settings.name;
+  layout.description = manifest.settings.description;
+  layout.design = designName(manifest.settings.design);
+  std::set<std::string> taken;
+  for (const SweepMetric& metric : metrics) taken.insert(metric.name);
+  for (const CurveQuantity& curve : manifest.curves) taken.insert(curve.name);
+  const std::vector<std::string>& paths = manifest.points.paths();
+  const std::vector<std::string> names = sweepAxisNames(paths, taken);
+  for (std::size_t a = 0; a < paths.size(); ++a) {
+    bool numeric = true;
+    for (std::size_t point = 0; point < manifest.points.size() && numeric; ++point)
+      numeric = toReal(manifest.points.value(point, a)).has_value();
+    layout.axes.push_back({names[a], paths[a], numeric});
+  }
+  for (const ForceSettings& law : plan.base().scenario.force) layout.laws.push_back(law.name);
+  layout.metrics = std::move(metrics);
+  for (const CurveQuantity& curve : manifest.curves)
+    layout.curves.push_back({curve.name, curve.units, curve.long_name, curve.per_law});
+  if (manifest.settings.curves) layout.curve_time_s = curveTimes_s(*manifest.settings.curves);
+  layout.runs = plan.runs();
+  layout.sweep_source = manifest.settings.source;
+  layout.provenance = provenance;
+  return layout;
+}
+
+void fillNumbers(const TaskRows& rows, std::size_t row, const std::vector<SweepMetric>& metrics,
+                 SweepRun& run) {
+  const std::size_t names = rows.numbers.names.size();
+  for (std::size_t m = 0; m < metrics.size(); ++m) {
+    if (rows.columns[m] < names) {
+      run.metrics[m] = rows.numbers.values[row * names + rows.columns[m]];
+      continue;
+    }
+    const auto timing = rows.timing.find(metrics[m].name);
+    if (timing != rows.timing.end()) run.metrics[m] = timing->second;
+  }
+  if (rows.numbers.curves.empty()) return;
+  const std::size_t width = rows.numbers.curves.size() / rows.numbers.rows;
+  const double* first = rows.numbers.curves.data() + row * width;
+  run.curves.assign(first, first + width);
+}
+
+}  // namespace
+
+std::filesystem::path tableFile(const std::filesystem::path& folder) {
+  return folder / "sweep.h5";
+}
+
+std::filesystem::path csvFile(const std::filesystem::path& folder) {
+  return folder / "sweep.csv";
+}
+
+std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state) {
+  std::map<std::string, std::size_t> counts;
+  for (std::size_t i = 0; i < plan.runs(); ++i) ++counts[state.task(plan.run(i).task).status.status];
+  return counts;
+}
+
+void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std::filesystem::path& folder,
+                      const Provenance& provenance) {
+  const SweepManifest& manifest = plan.manifest();
+  const SweepTableLayout layout = layoutOf(plan, metricsOf(plan, state), provenance);
+  std::size_t width = 0;
+  for (const SweepCurve& curve : layout.curves) width += layout.width(curve);
+  RecordCache cache(state, layout.metrics);
+  bool complete = true;
+  SweepTableWriter writer(tableFile(folder), layout);
+  for (std::size_t i = 0; i < plan.runs(); ++i) {
+    const PlannedRun planned = plan.run(i);
+    const SweepState::Task& task = state.task(planned.task);
+    SweepRun run{static_cast<long long>(planned.point),
+                 planned.repeat,
+                 manifest.pipelines[planned.entry],
+                 task.status.status,
+                 task.status.detail,
+                 task.file,
+                 {},
+                 {},
+                 {}};
+    for (std::size_t a = 0; a < layout.axes.size(); ++a)
+      run.values.push_back(manifest.points.value(planned.point, a));
+    run.metrics.assign(layout.metrics.size(), kMissing);
+    run.curves.assign(width, kMissing);
+    if (task.finished) fillNumbers(cache.at(planned.task), planned.law, layout.metrics, run);
+    complete &= task.place.has_value();
+    writer.append(run);
+  }
+  writer.finish(complete);
+  writeSweepCsv(csvFile(folder), SweepTable(tableFile(folder)));
+}
+
+}  // namespace fissure
