@@ -131,9 +131,13 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   if (!part.empty()) sink = run.makePart(part);
   settings.next = sink.get();
   RunRecorder recorder(run.layout(), settings);
+  const auto start = std::chrono::steady_clock::now();
   run.execute(recorder);
+  TaskRecord done = recorder.record();
+  done.timing["timing/simulation_wall_s"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   std::ofstream stream(record, std::ios::binary);
-  stream << encodeRecord(recorder.record());
+  stream << encodeRecord(done);
   if (!stream.flush()) throw RunError(record + ": cannot write, is the disk full?");
 }
 

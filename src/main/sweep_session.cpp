@@ -11,7 +11,7 @@
 #include "main/assemble_apart.h"
 #include "main/provenance.h"
 #include "process/engine_program.h"
-#include "scenario/text_file.h"
+#include "scenario/scalars.h"
 #include "study/sweep_state.h"
 
 namespace fissure {
@@ -141,6 +141,10 @@ TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) con
     record.timing["timing/worker_wall_s"] =
         std::chrono::duration<double>(Clock::now() - running->second.start).count();
   std::string& detail = record.status.detail;
+  const auto& memory_mb = plan_.manifest().settings.limits.memory_mb;
+  if (memory_mb && (status.status == "crashed" || status.status == "failed"))
+    detail += (detail.empty() ? "" : "; ") + std::string("its memory is limited to ") +
+              formatReal(*memory_mb) + " MiB";
   for (const std::string& folder : {(work_ / "").string(), (fs::absolute(plan_.directory()) / "").string()})
     for (std::size_t at = 0; (at = detail.find(folder, at)) != std::string::npos;)
       detail.erase(at, folder.size());

@@ -106,7 +106,7 @@ void printEstimate(const SweepEstimate& estimate, std::size_t tasks, std::size_t
   if (estimate.one_s)
     out << ", about " << durationText(estimate.total_s(tasks, slots)) << " with -j " << slots << " ("
         << std::round(*estimate.one_s * 1e3) << " ms each)";
-  if (tasks > 0) out << ", about " << sizeText(estimate.bytes) << " on disk";
+  if (tasks > 0) out << ", at most about " << sizeText(estimate.bytes) << " on disk";
   out << "\n";
 }
 
