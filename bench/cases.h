@@ -15,6 +15,7 @@ void addContactCases();
 void addRecordCases();
 void addOutputCases();
 void addCompareCases();
+void addLawCases();
 
 /// Registers a benchmark in microseconds. `body` makes one batch of calls, from a state of its own, and gives
 /// what one call took in seconds; it may add counters. Anything it throws becomes the benchmark's error, and

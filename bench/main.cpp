@@ -14,6 +14,9 @@
 //   store/append                     one row of spatula_press into a part file: the median of blocks
 //   render/640x480                   one frame of spatula_press
 //   compare/difference, shift        1,000 rows of 66 vertices against others; over 20 rows each way
+//   laws/family, plain               10,000 force laws (20 n x 25 lambda x 20 k) over one step of 60
+//   triangles:
+//                                    LawFamily::evaluate, and each law triangle by triangle
 //
 // Counters are of one call, step or row (record: frames are of the whole run). Those whose names end in _us
 // are times: of each stage of a step (Simulation::stageTimes), medians. All others are exact, the same in
@@ -34,5 +37,6 @@ int main(int argc, char** argv) {
   fissure::bench::addRecordCases();
   fissure::bench::addOutputCases();
   fissure::bench::addCompareCases();
+  fissure::bench::addLawCases();
   return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
 }

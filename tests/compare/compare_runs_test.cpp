@@ -248,7 +248,7 @@ TEST_F(CompareRuns, InputsOfForceLawsAreComparedButNotWithReferences) {
   EXPECT_TRUE(compare(a, write("same", {.run = asked, .rows = 10}), {.exact = true}).agrees());
   const auto other = write("other", {.inputs = changed, .run = asked, .rows = 10});
   EXPECT_EQ(differing(compare(other, a)), Names{"force_inputs/deformation_rate"});
-  EXPECT_EQ(find(compare(other, a), "force_inputs/deformation_rate").worst_at, "obs 4, linear");
+  EXPECT_EQ(find(compare(other, a), "force_inputs/deformation_rate").worst_at, "obs 5, linear");
   const Names different =
       differing(compare(write("lacking", {.inputs = lacks, .run = asked, .rows = 10}), a));
   EXPECT_NE(std::find(different.begin(), different.end(), "force_inputs/row_size"), different.end());

@@ -38,8 +38,8 @@ inline std::string pressScenario(const std::string& pipelines = "[{pipeline: fuk
 }
 
 /// Nearly all that a result can hold, in 30 steps: two bodies (one partly fixed, with a gauge), a hinged
-/// clamp that moves and closes, a spatula that turns, three kinds of force law, a device's limit, snapshots
-/// and frames.
+/// clamp that moves and closes, a spatula that turns, three kinds of force law and what they see, a device's
+/// limit, snapshots and frames.
 inline std::string fullScenario(
     const std::string& pipelines = "[{pipeline: default}, {pipeline: fukuhara}]") {
   const std::string body =
@@ -88,7 +88,7 @@ inline std::string fullScenario(
          "  - {name: hc, model: hunt_crossley}\n"
          "  - {name: kv, model: kelvin_voigt, k: 200, c: 2, rate: velocities}\n"
          "  - {name: area, model: linear_elastic, k: 2.3e6, per_area: true, deformation: corotated}\n"
-         "record: {snapshots_every_s: 0.005, frames: {every_s: 0.01, size_px: [64, 48]}}\n";
+         "record: {snapshots_every_s: 0.005, frames: {every_s: 0.01, size_px: [64, 48]}, force_inputs: true}\n";
 }
 
 /// pressScenario() for ten thousand simulated seconds: for what happens while it runs.
