@@ -16,8 +16,9 @@ namespace {
 
 /// Pressed in and drawn back, so that triangles pull.
 std::string pressAndLeave(const std::string& laws) {
-  return with(pressScenario("[{pipeline: fukuhara}, {pipeline: default}]", "0.06", laws), "speed_m_s: 0.5}\n",
-              "speed_m_s: 0.5}\n        - {move_to_m: [0, 0.062, 0], speed_m_s: 0.5}\n");
+  return with(pressScenario("[{pipeline: fukuhara}, {name: default, pipeline: default, settings: tuned}]",
+                            "0.06", laws),
+              "speed_m_s: 0.5}\n", "speed_m_s: 0.5}\n        - {move_to_m: [0, 0.062, 0], speed_m_s: 0.5}\n");
 }
 
 const std::string recorded_laws =

@@ -88,7 +88,8 @@ inline std::string fullScenario(
          "  - {name: hc, model: hunt_crossley}\n"
          "  - {name: kv, model: kelvin_voigt, k: 200, c: 2, rate: velocities}\n"
          "  - {name: area, model: linear_elastic, k: 2.3e6, per_area: true, deformation: corotated}\n"
-         "record: {snapshots_every_s: 0.005, frames: {every_s: 0.01, size_px: [64, 48]}, force_inputs: true}\n";
+         "record: {snapshots_every_s: 0.005, frames: {every_s: 0.01, size_px: [64, 48]}, force_inputs: "
+         "true}\n";
 }
 
 /// pressScenario() for ten thousand simulated seconds: for what happens while it runs.
