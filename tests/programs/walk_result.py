@@ -8,7 +8,7 @@ import sys
 import h5py
 import numpy as np
 
-UNITS = {"s", "us", "m", "m3", "m s-1", "N", "J", "kg m s-1", "degree", "1"}
+UNITS = {"s", "us", "m", "m2", "m3", "m s-1", "N", "J", "kg m s-1", "degree", "1"}
 ROW_AXES = {"time", "snapshot_time", "frame_time"}
 ENDINGS = ("_m", "_N", "_s", "_us", "_hz", "_J", "_m_s")  # of summary values, which have no units attribute
 WITHOUT_UNIT = [r"(force_roughness|roughness_same_triangles)(_\w+)?", r"collision_share", r"real_time_factor"]
