@@ -1,7 +1,5 @@
 #include "store/force_inputs.h"
 
-#include <numeric>
-
 #include "base/error.h"
 #include "store/run_reader.h"
 
@@ -22,16 +20,21 @@ ForceInputs readForceInputs(const std::filesystem::path& file, const std::string
   const auto all = [&](const char* name) { return run.all(stored(run, pipeline, name)); };
   ForceInputs read;
   read.times_s = all("time");
-  for (const double size : all("row_size")) read.row_sizes.push_back(static_cast<std::size_t>(size));
   const StoredQuantity& deformation = stored(run, pipeline, "deformation");
   if (deformation.axes.size() == 2) read.laws = deformation.axes[1].labels;
   const std::vector<double> deformations_m = run.all(deformation), rates_m_s = all("deformation_rate"),
                             areas_m2 = all("area"), directions = all("direction");
-  const std::size_t count = std::accumulate(read.row_sizes.begin(), read.row_sizes.end(), std::size_t{0});
-  const std::size_t laws = read.laws.size();
-  if (read.row_sizes.size() != read.times_s.size() || areas_m2.size() != count ||
-      directions.size() != 3 * count || deformations_m.size() != laws * count ||
-      rates_m_s.size() != laws * count)
+  const std::size_t count = areas_m2.size(), laws = read.laws.size();
+  std::size_t left = count;
+  bool fits = directions.size() == 3 * count && deformations_m.size() == laws * count &&
+              rates_m_s.size() == laws * count;
+  for (const double size : all("row_size")) {
+    fits = fits && size >= 0 && size <= static_cast<double>(left);
+    if (!fits) break;
+    read.row_sizes.push_back(static_cast<std::size_t>(size));
+    left -= read.row_sizes.back();
+  }
+  if (!fits || left > 0 || read.row_sizes.size() != read.times_s.size())
     throw InputError(file.string() + ": the force_inputs of run " + pipeline +
                      " are damaged: their lengths do not fit together");
   read.inputs.reserve(laws * count);

@@ -24,7 +24,7 @@ struct LawValue {
 /// triangle would pull where B / A < -k / c. Laws that share A and B therefore share the triangles in the
 /// order of B / A and the sums of A and B over their tails: a law costs a place in that order and one sum.
 /// What rounding could decide, and what is extreme or no number, goes through ForceLaw triangle by triangle:
-/// values differ from the plain sums by rounding, counts do not.
+/// values differ from the plain sums by rounding, counts do not, and no law's value depends on the others.
 class LawFamily {
  public:
   /// Each law takes the inputs of the first scenario law with the same deformation and rate. Throws

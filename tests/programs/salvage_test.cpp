@@ -19,9 +19,9 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
 // Two blocks of 2101 rows.
-const std::string long_scenario =
-    pressScenario("[{pipeline: fukuhara}]", "4.2",
-                  "force: [{name: hc, model: hunt_crossley}]\nrecord: {snapshots_every_s: 0.01}\n");
+const std::string long_scenario = pressScenario(
+    "[{pipeline: fukuhara}]", "4.2",
+    "force: [{name: hc, model: hunt_crossley}]\nrecord: {snapshots_every_s: 0.01, force_inputs: true}\n");
 
 /// Rows of a part that have their time; 0 when it cannot be read at this moment.
 std::size_t rowsOf(const fs::path& part) {

@@ -162,6 +162,14 @@ TEST(Result, InputsOfForceLawsAreReadBackOrNamedAsMissing) {
                 "{force_inputs: true}");
   EXPECT_NE(complaint(with, "other"), "nothing");
   EXPECT_NE(complaint(folder / "no.h5", "default"), "nothing");
+  for (const char* sizes : {"[0, 1, 2, 0, 2]", "[0, 1, 2, 0, 0]", "[0, -1, 4, 0, 1]"}) {
+    const std::string command = "/usr/bin/python3 -c \"import h5py; h5py.File('" + with.string() +
+                                "', 'r+')['pipelines/default/force_inputs/row_size'][:] = " + sizes + "\"";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(
+        complaint(with, "default"),
+        with.string() + ": the force_inputs of run default are damaged: their lengths do not fit together");
+  }
 }
 
 // Views slow readers down by the square of their number; the stack of frames itself is never cut.

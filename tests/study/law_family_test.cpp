@@ -179,7 +179,8 @@ TEST(LawFamily, WhatIsNoNumberStaysSo) {
   EXPECT_TRUE(std::isfinite(family.values()[0].force_N)) << "the step after is good again";
 }
 
-TEST(LawFamily, TheOrderOfLawsDoesNotMatter) {
+// To the last bit: a sweep may be cut into families in any way.
+TEST(LawFamily, OtherLawsAndTheirOrderDoNotMatter) {
   const std::vector<ForceSettings> laws = manyLaws();
   std::vector<std::size_t> order(laws.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -190,6 +191,10 @@ TEST(LawFamily, TheOrderOfLawsDoesNotMatter) {
   family.evaluate(randomInputs(60, 11));
   other.evaluate(randomInputs(60, 11));
   for (std::size_t i = 0; i < order.size(); ++i) {
+    LawFamily alone({laws[i]}, {laws[0]});
+    alone.evaluate(randomInputs(60, 11));
+    EXPECT_EQ(alone.values()[0].force_N, family.values()[i].force_N);
+    EXPECT_EQ(alone.values()[0].elastic_N, family.values()[i].elastic_N);
     EXPECT_EQ(other.values()[i].force_N, family.values()[order[i]].force_N);
     EXPECT_EQ(other.values()[i].viscous_N, family.values()[order[i]].viscous_N);
     EXPECT_EQ(other.values()[i].adhesion_clamped, family.values()[order[i]].adhesion_clamped);
