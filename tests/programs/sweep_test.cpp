@@ -51,8 +51,8 @@ TEST(Sweep, EveryRowIsWhatARunOfItsPointGives) {
     ASSERT_EQ(stored.size(), expected.size());
     for (std::size_t i = 0; i < stored.size(); ++i) {
       ASSERT_EQ(std::isnan(stored[i]), std::isnan(expected[i])) << i;  // after the run's end
-      if (!std::isnan(expected[i]))
-        EXPECT_NEAR(stored[i], expected[i], 1e-12 * std::abs(expected[i]) + 1e-15) << i;
+      if (std::isnan(expected[i])) continue;
+      EXPECT_NEAR(stored[i], expected[i], 1e-12 * std::abs(expected[i]) + 1e-15) << i;
     }
   }
 }
@@ -83,16 +83,20 @@ TEST(Sweep, LawsThatMoveAToolAreSimulated) {
 TEST(Sweep, KeptResultsAreThoseOfARun) {
   const Folder folder;
   folder.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "0.02", laws));
-  folder.write("s.yaml", sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.12]}]\nkeep: results\n"));
+  folder.write("s.yaml",
+               sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.12]}]\nkeep: results\n"));
   ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
   const SweepTable table(folder / "out/sweep.h5");
   const std::string file = table.texts("file").at(1);
   ASSERT_FALSE(file.empty());
-  ASSERT_EQ(runFissure(folder, {"run", "press.yaml", "-o", "one.h5", "--set", "bodies.sphere.mass_kg=0.12"}).code, 0);
+  ASSERT_EQ(
+      runFissure(folder, {"run", "press.yaml", "-o", "one.h5", "--set", "bodies.sphere.mass_kg=0.12"}).code,
+      0);
   const ResultInfo kept = readResultInfo(folder / "out" / file);
   EXPECT_TRUE(kept.complete);
   EXPECT_EQ(kept.scenario_resolved, readResultInfo(folder / "one.h5").scenario_resolved);
-  EXPECT_EQ(textsOf(folder / "out" / file).at("final_state_hash"), textsOf(folder / "one.h5").at("final_state_hash"));
+  EXPECT_EQ(textsOf(folder / "out" / file).at("final_state_hash"),
+            textsOf(folder / "one.h5").at("final_state_hash"));
 }
 
 TEST(Sweep, WhatFailsIsARowAndTheOthersGoOn) {
@@ -102,7 +106,8 @@ TEST(Sweep, WhatFailsIsARowAndTheOthersGoOn) {
                                  "limits: {time_s: 0.5}\n"));
   const Outcome outcome = runFissure(folder, {"sweep", "s.yaml", "-o", "out", "-j", "2"});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_TRUE(std::regex_search(outcome.err, std::regex("first failure: [0-9a-f]{16}: timeout \\(time limit of 0.5 s")))
+  EXPECT_TRUE(std::regex_search(outcome.err,
+                                std::regex("first failure: [0-9a-f]{16}: timeout \\(time limit of 0.5 s")))
       << outcome.err;
   const SweepTable table(folder / "out/sweep.h5");
   EXPECT_EQ(table.texts("status"), (std::vector<std::string>{"ok", "timeout"}));
@@ -157,8 +162,9 @@ TEST(Sweep, ADryRunWritesNothing) {
   folder.write("s.yaml", sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.11]}]\n"));
   const Outcome outcome = runFissure(folder, {"sweep", "s.yaml", "-o", "out", "--dry-run", "-j", "2"});
   EXPECT_EQ(outcome.code, 0);
-  EXPECT_TRUE(std::regex_search(outcome.out, std::regex("to do: 2 of 2 simulations, about .* with -j 2 \\([0-9]+ "
-                                                        "ms each\\), at most about .*B on disk\n")))
+  EXPECT_TRUE(
+      std::regex_search(outcome.out, std::regex("to do: 2 of 2 simulations, about .* with -j 2 \\([0-9]+ "
+                                                "ms each\\), at most about .*B on disk\n")))
       << outcome.out;
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"press.yaml", "s.yaml"}));
 }
@@ -206,7 +212,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadSweep{"NothingLeft",
                  "axes: [{path: force.hc.k, values: [1, 2]}]\nexclude: [[{path: force.hc.k, min: 0}]]\n",
                  "^s.yaml: exclude leaves no point, expected some"},
-        BadSweep{"UnknownCurve", "axes: [{path: force.hc.k, values: [1]}]\ncurves: {quantities: [forse], every_s: 0.01}\n",
+        BadSweep{"UnknownCurve",
+                 "axes: [{path: force.hc.k, values: [1]}]\ncurves: {quantities: [forse], every_s: 0.01}\n",
                  "^s.yaml: curves.quantities: no quantity \"forse\" .*did you mean \"force\""},
         BadSweep{"UnknownPipeline", "pipelines: [fukuhra]\naxes: [{path: force.hc.k, values: [1]}]\n",
                  "press.yaml: no pipeline \"fukuhra\", did you mean \"fukuhara\""},
@@ -230,11 +237,13 @@ TEST(BadSweeps, EmptyFileAndFoldersOfOthers) {
   ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
   expectRefused({"sweep", "empty.yaml", "-o", "o"}, "^empty.yaml:1: empty, expected a sweep");
   expectRefused({"sweep", "none.yaml", "-o", "o"}, "^none.yaml: no such file");
-  expectRefused({"sweep", "other.yaml", "-o", "out"}, "^out: holds the sweep \"sweep\", expected another folder");
+  expectRefused({"sweep", "other.yaml", "-o", "out"},
+                "^out: holds the sweep \"sweep\", expected another folder");
   expectRefused({"sweep", "s.yaml", "-o", "mine"}, "^mine: is no folder of a sweep");
   expectRefused({"sweep", "mine"}, "^mine: holds no sweep");
   expectRefused({"sweep", "status", "mine"}, "^mine: holds no sweep");
-  expectRefused({"sweep", "s.yaml", "-o", "out", "--shard", "3/2"}, "^--shard 3/2: not a shard, expected I/N");
+  expectRefused({"sweep", "s.yaml", "-o", "out", "--shard", "3/2"},
+                "^--shard 3/2: not a shard, expected I/N");
   expectRefused({"sweep"}, "no sweep file is named");
   folder.write("out/manifest.json", "{\"format\": \"fissure-sweep-plan\", \"format_version\": 1}");
   expectRefused({"sweep", "status", "out"}, "^out/manifest.json: damaged");

@@ -12,7 +12,8 @@
 namespace fissure::programs {
 
 inline const std::string laws =
-    "force: [{name: hc, model: hunt_crossley, k: 200, lambda: 50, n: 1.3}, {name: linear, model: linear_elastic, "
+    "force: [{name: hc, model: hunt_crossley, k: 200, lambda: 50, n: 1.3}, {name: linear, model: "
+    "linear_elastic, "
     "k: 200}]\n";
 
 /// Two speeds, and eight sets of laws over each.
@@ -51,8 +52,8 @@ inline std::map<std::string, std::string> textsOf(const std::filesystem::path& f
   return texts;
 }
 
-/// The magnitude of the force of every law at these times, linear between two steps, NaN after the end; law by
-/// law.
+/// The magnitude of the force of every law at these times, linear between two steps, NaN after the end; law
+/// by law.
 inline std::vector<double> forceCurve(const std::filesystem::path& file, const std::string& pipeline,
                                       const std::vector<double>& times_s) {
   const RunReader run(file, pipeline);
