@@ -216,8 +216,22 @@ class SweepChecker {
   void checkCondition(const YamlNode& node, const SweepCondition& condition) {
     if (!paths_.contains(condition.path))
       failAt(node.origin, "exclude: " + condition.path + " is no axis, expected the path of one");
+    if (condition.values) checkValues(node, condition);
     if (!condition.min && !condition.max && !condition.values)
       failAt(node.origin, "exclude: " + condition.path + " without a condition, expected min, max or values");
+  }
+
+  /// A value that the axis never has would exclude nothing, and nobody would notice.
+  void checkValues(const YamlNode& node, const SweepCondition& condition) const {
+    for (const AxisGroup& group : sweep_.axes) {
+      for (const SweepAxis& axis : group.axes) {
+        if (axis.path != condition.path || !axis.values) continue;
+        for (const std::string& value : *condition.values)
+          if (std::find(axis.values->begin(), axis.values->end(), value) == axis.values->end())
+            failAt(node.origin,
+                   "exclude: " + value + " is no value of axis " + axis.path + ", expected one of them");
+      }
+    }
   }
 
   const YamlNode& root_;

