@@ -13,6 +13,7 @@
 #include "store/temporary_file.h"
 #include "study/run_recorder.h"
 #include "study/sweep_plan.h"
+#include "study/sweep_state.h"
 
 namespace fissure {
 
@@ -68,6 +69,16 @@ std::vector<std::size_t> pointsToCheck(const SweepPoints& points) {
   for (std::size_t i = 0; i < most_checks; ++i)
     some.push_back(chosen[i * (chosen.size() - 1) / (most_checks - 1)]);
   return some;
+}
+
+/// Nothing is there, or what a planner left that was killed before there was a plan.
+bool isFree(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::exists(folder, ignored)) return true;
+  if (!fs::is_directory(folder, ignored)) return false;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (entry.path().filename() != journalFolder("").filename()) return false;
+  return true;
 }
 
 class Planner {
@@ -153,19 +164,20 @@ void putManifest(const SweepManifest& manifest, const fs::path& folder) {
     if (name != manifest.settings.name)
       throw InputError(folder.string() + ": holds the sweep \"" + name +
                        "\", expected another folder for \"" + manifest.settings.name + "\"");
-  } else if (fs::exists(folder, error) &&
-             (!fs::is_directory(folder, error) || !fs::is_empty(folder, error))) {
+  } else if (!isFree(folder)) {
     throw InputError(folder.string() + ": is no folder of a sweep, expected a new name or an empty folder");
   }
-  fs::create_directories(folder, error);
-  if (error) throw InputError(folder.string() + ": cannot be made: " + error.message());
+  const JournalWriter place(journalFolder(folder));  // for its folder alone
+  const fs::path made = manifestFile(place.work());
   try {
-    TemporaryFile file(manifestFile(folder));
+    TemporaryFile file(made);
     file.write(manifestText(manifest));
     file.commit();
   } catch (const RunError& failure) {
     throw RunError(manifestFile(folder).string() + ": " + failure.what());
   }
+  fs::rename(made, manifestFile(folder), error);
+  if (error) throw RunError(manifestFile(folder).string() + ": cannot be written: " + error.message());
 }
 
 void refuseOtherPlan(const SweepManifest& manifest, const fs::path& folder) {

@@ -68,25 +68,16 @@ SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::v
       tasks_(std::move(tasks)),
       settings_(std::move(settings)),
       display_(display),
-      journal_(journalFolder(folder)),
-      work_(fs::path(journal_.path()).replace_extension(".work")) {
-  Journals::removeLeftovers(journalFolder(folder));
+      journal_(journalFolder(folder)) {
   std::error_code error;
-  fs::create_directory(work_, error);
-  if (!error && plan.manifest().settings.keep == SweepKeep::results)
-    fs::create_directory(resultFolder(folder), error);
+  if (plan.manifest().settings.keep == SweepKeep::results) fs::create_directory(resultFolder(folder), error);
   if (error) throw RunError(folder.string() + ": cannot be written: " + error.message());
   for (const auto& [name, hash] : plan.manifest().inputs)
     inputs_.emplace_back(plan.directory() / name, stampText(plan.directory() / name));
 }
 
-SweepSession::~SweepSession() {
-  std::error_code ignored;
-  fs::remove_all(work_, ignored);
-}
-
 fs::path SweepSession::work(std::size_t task, const char* ending) const {
-  return fs::absolute(work_ / (std::to_string(task) + ending));
+  return fs::absolute(journal_.work() / (std::to_string(task) + ending));
 }
 
 void SweepSession::run(Interrupt& interrupt) {
@@ -145,7 +136,8 @@ TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) con
   if (memory_mb && (status.status == "crashed" || status.status == "failed"))
     detail += (detail.empty() ? "" : "; ") + std::string("its memory is limited to ") +
               formatReal(*memory_mb) + " MiB";
-  for (const std::string& folder : {(work_ / "").string(), (fs::absolute(plan_.directory()) / "").string()})
+  for (const std::string& folder :
+       {(fs::absolute(journal_.work()) / "").string(), (fs::absolute(plan_.directory()) / "").string()})
     for (std::size_t at = 0; (at = detail.find(folder, at)) != std::string::npos;)
       detail.erase(at, folder.size());
   return record;
@@ -169,9 +161,11 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
   times.started -= std::chrono::duration_cast<std::chrono::system_clock::duration>(
       std::chrono::duration<double>(times.wall_s));
   std::vector<PartResult> parts = {{loaded.scenario.pipelines.front(), work(task, ".part"), record.status}};
-  assembleApart(folder_ / name, loaded,
-                collectProvenance(loaded, inputHashes(loaded), settings_.command_line, times), parts, work_);
+  const fs::path made = work(task, ".h5");
+  assembleApart(made, loaded, collectProvenance(loaded, inputHashes(loaded), settings_.command_line, times),
+                parts, journal_.work());
   if (!parts.front().part) throw RunError(parts.front().status.detail);
+  fs::rename(made, folder_ / name);
   const Stamp stamp = stampOf(folder_ / name);
   record.file = name;
   record.file_bytes = stamp.bytes;

@@ -42,7 +42,6 @@ class SweepSession : private PoolObserver {
   /// `tasks`: of the plan, to be run in this order. What the arguments refer to must outlive the session.
   SweepSession(const SweepPlan& plan, const std::filesystem::path& folder, std::vector<std::size_t> tasks,
                Settings settings, ProgressDisplay& display);
-  ~SweepSession();
   SweepSession(const SweepSession&) = delete;
   SweepSession& operator=(const SweepSession&) = delete;
 
@@ -76,7 +75,6 @@ class SweepSession : private PoolObserver {
   Settings settings_;
   ProgressDisplay& display_;
   JournalWriter journal_;
-  std::filesystem::path work_;
   std::vector<std::pair<std::filesystem::path, std::string>> inputs_;  ///< size and time of each
   struct Running {
     Clock::time_point start;

@@ -58,24 +58,52 @@ std::optional<std::string> readRecord(std::istream& stream) {
   return record;
 }
 
+/// Whether the writer of a journal is gone: nobody holds its lock, or the file itself is gone. Where the file
+/// system has no locks, nobody is.
+bool isDead(const fs::path& journal) {
+  const Descriptor file(::open(journal.c_str(), O_RDONLY | O_CLOEXEC));
+  return file.open() ? ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 : errno == ENOENT;
+}
+
+void removeLeftovers(const fs::path& folder) {
+  std::error_code ignored;
+  std::vector<fs::path> works, empty;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.path().extension() == ".work") works.push_back(entry.path());
+    if (entry.path().extension() == ".journal" && entry.file_size(ignored) == 0)
+      empty.push_back(entry.path());
+  }
+  for (const fs::path& work : works)
+    if (isDead(fs::path(work).replace_extension(".journal"))) fs::remove_all(work, ignored);
+  for (const fs::path& journal : empty)
+    if (isDead(journal)) fs::remove(journal, ignored);
+}
+
 }  // namespace
 
 JournalWriter::JournalWriter(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  std::string name = (folder / "XXXXXX.journal").string();
-  constexpr int ending = 8;  // ".journal"
+  // It gets its name once it is locked: others take a journal that nobody holds for one whose writer is gone.
+  std::string name = (folder / "XXXXXX.starting").string();
+  constexpr int ending = 9;
   if (!error) file_ = Descriptor(::mkostemps(name.data(), ending, O_APPEND | O_CLOEXEC));
   if (!file_.open())
     throw RunError(folder.string() +
                    ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
-  path_ = name;
   ::fchmod(file_.number(), 0644);
-  ::flock(file_.number(), LOCK_EX | LOCK_NB);  // where the file system has no locks, leftovers stay
+  ::flock(file_.number(), LOCK_EX);  // where the file system has no locks, leftovers stay
+  path_ = fs::path(name).replace_extension(".journal");
+  work_ = fs::path(name).replace_extension(".work");
+  fs::rename(name, path_, error);
+  if (!error) fs::create_directory(work_, error);
+  if (error) throw RunError(path_.string() + ": cannot be made: " + error.message());
+  removeLeftovers(folder);
 }
 
 JournalWriter::~JournalWriter() {
   std::error_code ignored;
+  fs::remove_all(work_, ignored);
   if (size_ == 0) fs::remove(path_, ignored);
 }
 
@@ -136,19 +164,6 @@ std::string Journals::read(const JournalPlace& place) const {
   std::optional<std::string> record = readRecord(stream);
   if (!record) throw RunError(files_[place.journal].string() + ": a record in it is gone");
   return std::move(*record);
-}
-
-void Journals::removeLeftovers(const fs::path& folder) {
-  std::error_code ignored;
-  std::vector<fs::path> works;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".work") works.push_back(entry.path());
-  for (const fs::path& work : works) {
-    const fs::path journal = fs::path(work).replace_extension(".journal");
-    const Descriptor file(::open(journal.c_str(), O_RDONLY | O_CLOEXEC));
-    if (!file.open() && errno != ENOENT) continue;
-    if (!file.open() || ::flock(file.number(), LOCK_EX | LOCK_NB) == 0) fs::remove_all(work, ignored);
-  }
 }
 
 }  // namespace fissure

@@ -15,9 +15,10 @@ namespace fissure {
 /// one fails its checksum. While the writer lives it holds a lock on its file.
 class JournalWriter {
  public:
-  /// Makes the file, under a name that no other has. Throws RunError.
+  /// Makes the file, under a name that no other has, and removes what writers that are gone left: their work,
+  /// and files with nothing in them. Throws RunError.
   explicit JournalWriter(const std::filesystem::path& folder);
-  ~JournalWriter();  ///< removes the file when nothing is in it
+  ~JournalWriter();  ///< removes work(), and the file when nothing is in it
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
 
@@ -28,9 +29,13 @@ class JournalWriter {
   void sync(double every_s);
 
   const std::filesystem::path& path() const { return path_; }
+  /// A folder of its own, `<journal without .journal>.work`, on the disk of the sweep: what is made there can
+  /// be renamed to its place, and is gone with a writer that is killed as soon as another one starts.
+  const std::filesystem::path& work() const { return work_; }
 
  private:
   std::filesystem::path path_;
+  std::filesystem::path work_;
   Descriptor file_;
   std::int64_t size_ = 0;
   double synced_s_ = 0;
@@ -57,9 +62,6 @@ class Journals {
   /// Journals with bytes after their last whole record, which their writer did not live to finish, or which
   /// somebody damaged; known after each().
   const std::vector<std::filesystem::path>& damaged() const { return damaged_; }
-
-  /// Folders for the work of processes that are gone, `<journal without .journal>.work`, are removed.
-  static void removeLeftovers(const std::filesystem::path& folder);
 
  private:
   std::vector<std::filesystem::path> files_;

@@ -6,6 +6,7 @@
 #include <set>
 #include <unordered_map>
 
+#include "base/error.h"
 #include "measure/statistics.h"
 #include "scenario/scalars.h"
 #include "store/sweep_csv.h"
@@ -162,7 +163,8 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
   for (const SweepCurve& curve : layout.curves) width += layout.width(curve);
   RecordCache cache(state, layout.metrics);
   bool complete = true;
-  SweepTableWriter writer(tableFile(folder), layout);
+  const JournalWriter place(journalFolder(folder));  // for its folder alone
+  SweepTableWriter writer(tableFile(place.work()), layout);
   for (std::size_t i = 0; i < plan.runs(); ++i) {
     const PlannedRun planned = plan.run(i);
     const SweepState::Task& task = state.task(planned.task);
@@ -184,7 +186,12 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
     writer.append(run);
   }
   writer.finish(complete);
-  writeSweepCsv(csvFile(folder), SweepTable(tableFile(folder)));
+  writeSweepCsv(csvFile(place.work()), SweepTable(tableFile(place.work())));
+  for (const auto& file : {tableFile, csvFile}) {
+    std::error_code error;
+    std::filesystem::rename(file(place.work()), file(folder), error);
+    if (error) throw RunError(file(folder).string() + ": cannot be written: " + error.message());
+  }
 }
 
 }  // namespace fissure

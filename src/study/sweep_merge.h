@@ -18,7 +18,8 @@ std::filesystem::path csvFile(const std::filesystem::path& folder);
 std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state);
 
 /// Writes the sweep's table, all rows, and its CSV; rows without numbers say why in status and status_detail.
-/// The same records give the same data whatever journals they are in. Throws RunError.
+/// The same records give the same data whatever journals they are in. Each file takes its place whole or not
+/// at all. Throws RunError.
 void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std::filesystem::path& folder,
                       const Provenance& provenance);
 

@@ -120,16 +120,19 @@ TEST_F(JournalTest, AFullDiskIsSaidAndLeavesWholeRecords) {
 TEST_F(JournalTest, LeftoversOfTheDeadAreRemovedAndOfTheLivingNot) {
   JournalWriter living(folder_);
   living.append("one");
-  const fs::path work = fs::path(living.path()).replace_extension(".work");
-  fs::create_directory(work);
   fs::create_directory(folder_ / "dead.work");
   std::ofstream(folder_ / "killed.journal") << "";
   fs::create_directory(folder_ / "killed.work");
   std::ofstream(folder_ / "killed.work" / "3.part") << "half a part";
-  Journals::removeLeftovers(folder_);
-  EXPECT_TRUE(fs::exists(work));
+  {
+    const JournalWriter another(folder_);
+    EXPECT_TRUE(fs::is_directory(another.work()));
+  }
+  EXPECT_TRUE(fs::is_directory(living.work()));
+  EXPECT_TRUE(fs::exists(living.path()));
   EXPECT_FALSE(fs::exists(folder_ / "dead.work"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.work"));
+  EXPECT_FALSE(fs::exists(folder_ / "killed.journal"));
 }
 
 TEST(TaskRecords, KeepEveryBit) {
