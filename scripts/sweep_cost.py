@@ -1,0 +1,151 @@
+#!/usr/bin/env python3
+"""What a sweep costs beside its simulations: laws, workers, memory of the front, planning.
+
+    /usr/bin/python3 scripts/sweep_cost.py [--program build/release/fissure] [--count 1000] [--pairs 5]
+                                           [-o results/sweeps/cost.md]
+
+Every number is a ratio or a difference within one session on one machine, which should have nothing else to do.
+"""
+import argparse
+import os
+import pathlib
+import statistics
+import subprocess
+import tempfile
+import time
+
+import h5py
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+DISTINCT = """\
+format: 1
+name: distinct
+base: {root}/configs/spatula_press.yaml
+pipelines: [fukuhara]
+design: sobol
+count: {count}
+seed: 1
+axes:
+  - {{path: tools.spatula.motion.segments.0.speed_m_s, linear: {{from: 0.2, to: 0.4, count: 2}}}}
+  - {{path: bodies.sphere.mass_kg, linear: {{from: 0.08, to: 0.12, count: 2}}}}
+"""
+ONE = """\
+format: 1
+name: one
+base: {root}/configs/spatula_press.yaml
+pipelines: [fukuhara]
+axes: [{{path: force.hc.k, values: [200]}}]
+curves: {{quantities: [force], every_s: 0.01}}
+"""
+
+
+class Sweeps:
+    def __init__(self, program, folder):
+        self.program, self.folder, self.number = program, folder, 0
+
+    def run(self, sweep, *options):
+        """A sweep into a new folder: its wall time, the front's largest memory in MiB, and the folder."""
+        self.number += 1
+        out = self.folder / f"out{self.number}"
+        start = time.monotonic()
+        front = subprocess.Popen([self.program, "sweep", sweep, "-o", out, *options], stdout=subprocess.PIPE,
+                                 stderr=subprocess.DEVNULL, text=True)
+        memory = 0
+        while front.poll() is None:
+            memory = max(memory, high_water(front.pid))
+            time.sleep(0.005)
+        wall = time.monotonic() - start
+        if front.returncode:
+            raise SystemExit(f"{sweep}: exit code {front.returncode}")
+        return wall, memory, out
+
+    def write(self, name, text, **values):
+        path = self.folder / name
+        path.write_text(text.format(root=ROOT, **values))
+        return path
+
+
+def high_water(pid):
+    try:
+        for line in pathlib.Path(f"/proc/{pid}/status").read_text().splitlines():
+            if line.startswith("VmHWM"):
+                return int(line.split()[1]) / 1024
+    except OSError:
+        pass
+    return 0
+
+
+def laws(sweeps, pairs):
+    """Wall time of a sweep over 10,000 laws, over that of one with a single law, and what it leaves on the disk."""
+    one = sweeps.write("one.yaml", ONE)
+    many = ROOT / "configs/sweeps/hunt_crossley.yaml"
+    ratios, size = [], 0
+    for _ in range(pairs):
+        wall, _, out = sweeps.run(many)
+        ratios.append(wall / sweeps.run(one)[0])
+        size = sum(p.stat().st_size for p in out.rglob("*") if p.is_file())
+    return statistics.median(ratios), size
+
+
+def workers(sweeps, count, slots):
+    """Of `count` simulations: efficiency of `slots` workers against one, overhead of a run in ms for both."""
+    sweep = sweeps.write("distinct.yaml", DISTINCT, count=count)
+    walls, overheads = [], []
+    for jobs in (1, slots):
+        wall, _, out = sweeps.run(sweep, "-j", str(jobs))
+        with h5py.File(out / "sweep.h5") as table:
+            simulated = table["timing/simulation_wall_s"][:].sum()
+        walls.append(wall)
+        overheads.append(1e3 * (jobs * wall - simulated) / count)
+    return walls[0] / (slots * walls[1]), overheads
+
+
+def memory(sweeps, counts):
+    found = []
+    for count in counts:
+        sweep = sweeps.write(f"memory{count}.yaml", DISTINCT, count=count)
+        found.append(sweeps.run(sweep, "-j", str(os.cpu_count()))[1])
+    return found
+
+
+def planning(sweeps, count):
+    sweep = sweeps.write("planned.yaml", DISTINCT, count=count)
+    start = time.monotonic()
+    subprocess.run([sweeps.program, "sweep", sweep, "-o", sweeps.folder / "planned", "--dry-run"], check=True,
+                   stdout=subprocess.DEVNULL)
+    return time.monotonic() - start
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/fissure")
+    parser.add_argument("--count", type=int, default=1000)
+    parser.add_argument("--pairs", type=int, default=5)
+    parser.add_argument("-o", "--output", type=pathlib.Path, default=ROOT / "results/sweeps/cost.md")
+    options = parser.parse_args()
+    slots = os.cpu_count()
+    with tempfile.TemporaryDirectory() as name:
+        sweeps = Sweeps(options.program.resolve(), pathlib.Path(name))
+        ratio, size = laws(sweeps, options.pairs)
+        efficiency, overheads = workers(sweeps, options.count, slots)
+        small, large = memory(sweeps, (options.count // 10, options.count))
+        planned = planning(sweeps, 100000)
+    rows = [
+        ("10,000 Hunt-Crossley laws over one press, wall time over that of one law", f"{ratio:.2f}"),
+        ("what they leave on the disk: journal, table with curves, CSV", f"{size / 1e6:.1f} MB"),
+        (f"{options.count} distinct simulations: efficiency of -j {slots} against -j 1", f"{efficiency:.2f}"),
+        ("a run over its simulation alone, -j 1", f"{overheads[0]:.1f} ms"),
+        (f"a run over its simulation alone, -j {slots} (in time of a worker)", f"{overheads[1]:.1f} ms"),
+        (f"largest memory of the front with {options.count // 10} simulations", f"{small:.1f} MiB"),
+        (f"with {options.count}", f"{large:.1f} MiB"),
+        ("100,000 distinct simulations planned, three of them timed (--dry-run)", f"{planned:.1f} s"),
+    ]
+    lines = ["# What a sweep costs", "", "Made by `/usr/bin/python3 scripts/sweep_cost.py` on a machine with "
+             f"{slots} cores.", "", "| | |", "|---|--:|", *(f"| {what} | {value} |" for what, value in rows)]
+    options.output.parent.mkdir(parents=True, exist_ok=True)
+    options.output.write_text("\n".join(lines) + "\n")
+    print("\n".join(lines))
+
+
+if __name__ == "__main__":
+    main()
