@@ -5,6 +5,7 @@
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
+#include "main/sweep_info.h"
 #include "main/verbs.h"
 #include "process/apart.h"
 
@@ -41,8 +42,26 @@ void printText(const ResultInfo& info) {
   }
 }
 
-int showResult(const InfoOptions& options) {
-  tryReading(options.file, [&] { readResultInfo(options.file); });
+int showSweep(const InfoOptions& options) {
+  const SweepTable table(options.file);
+  if (options.json)
+    std::cout << jsonText(sweepInfoJson(options.file, table));
+  else
+    std::cout << sweepInfoText(table);
+  return exit_good;
+}
+
+/// All that is printed later.
+void readAny(const std::string& file) {
+  if (isSweepTable(file))
+    sweepInfoText(SweepTable(file));
+  else
+    readResultInfo(file);
+}
+
+int showFile(const InfoOptions& options) {
+  tryReading(options.file, [&] { readAny(options.file); });
+  if (isSweepTable(options.file)) return showSweep(options);
   const ResultInfo info = readResultInfo(options.file);
   if (options.json)
     std::cout << jsonText(resultJson(options.file, info));
@@ -55,10 +74,11 @@ int showResult(const InfoOptions& options) {
 
 Verb addInfo(CLI::App& app) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* command = app.add_subcommand("info", "what a result file holds and where it comes from");
-  command->add_option("FILE", options->file, "result file")->required();
+  CLI::App* command =
+      app.add_subcommand("info", "what a result file or a sweep's table holds and where it comes from");
+  command->add_option("FILE", options->file, "result file, or sweep.h5")->required();
   command->add_flag("--json", options->json, "the same for machines");
-  return {command, [options] { return showResult(*options); }};
+  return {command, [options] { return showFile(*options); }};
 }
 
 }  // namespace fissure

@@ -13,7 +13,9 @@
 #include "process/interrupt.h"
 #include "report/page.h"
 #include "report/page_data.h"
+#include "report/sweep_page.h"
 #include "report/video.h"
+#include "store/sweep_table.h"
 
 namespace fissure {
 
@@ -40,6 +42,10 @@ void writeResultPage(const fs::path& result, const fs::path& output, const Repor
     writePageApart(
         output,
         [&] {
+          if (isSweepTable(result)) {
+            if (!options.video.empty()) throw InputError("--video: is of one result, expected no sweep");
+            return pageText(sweepPage(result, program()));
+          }
           return pageText(
               resultPage(result, program(), options.video.empty() ? "" : videoUri(options.video)));
         },
@@ -101,7 +107,13 @@ FolderEntry reportOne(const fs::path& result, const fs::path& table, const Repor
   entry.name = result.lexically_relative(options.input).generic_string();
   try {
     writeResultPage(result, table.parent_path() / page, options);
-    entry.info = readResultInfo(result);
+    if (isSweepTable(result)) {
+      const SweepTable sweep(result);
+      entry.info.title = sweep.layout().title;
+      entry.note = "a sweep of " + std::to_string(sweep.runs()) + " runs";
+    } else {
+      entry.info = readResultInfo(result);
+    }
     entry.page = linkTo(page);
   } catch (const InputError& error) {
     const std::string reason = error.what(), start = result.string() + ": ";
@@ -152,6 +164,15 @@ int reportFolder(const ReportOptions& options) {
   return exit_good;
 }
 
+/// A folder that a sweep has made is that sweep's.
+ReportOptions sweepOf(ReportOptions options) {
+  const fs::path table = fs::path(options.input) / "sweep.h5";
+  std::error_code ignored;
+  if (fs::is_directory(options.input, ignored) && fs::is_regular_file(table, ignored))
+    options.input = table.string();
+  return options;
+}
+
 int reportResult(const ReportOptions& options) {
   const fs::path output =
       options.output.empty() ? fs::path(options.input).replace_extension(".html") : fs::path(options.output);
@@ -168,8 +189,10 @@ int reportResult(const ReportOptions& options) {
 Verb addReport(CLI::App& app) {
   const auto options = std::make_shared<ReportOptions>();
   CLI::App* command = app.add_subcommand(
-      "report", "one page for a browser that shows a result, or a table of all below a folder");
-  command->add_option("RESULT", options->input, "result file, or a folder with result files below it")
+      "report", "one page for a browser that shows a result, a sweep, or a table of all below a folder");
+  command
+      ->add_option("RESULT", options->input,
+                   "result file, sweep.h5, a sweep's folder, or a folder with result files below it")
       ->required()
       ->check(notEmpty);
   command
@@ -183,8 +206,9 @@ Verb addReport(CLI::App& app) {
   command->add_flag("--force", options->force, "replace existing pages");
   return {command, [options] {
             std::error_code ignored;
-            return fs::is_directory(options->input, ignored) ? reportFolder(*options)
-                                                             : reportResult(*options);
+            const ReportOptions resolved = sweepOf(*options);
+            return fs::is_directory(resolved.input, ignored) ? reportFolder(resolved)
+                                                             : reportResult(resolved);
           }};
 }
 

@@ -3,6 +3,7 @@
 #include <map>
 #include <stdexcept>
 #include <string_view>
+#include <vector>
 
 #include "base/hash.h"
 #include "report/assets.h"
@@ -40,6 +41,12 @@ std::string filledIn(std::string_view frame, const std::map<std::string, std::st
   }
 }
 
+std::string joined(const std::vector<std::string_view>& pieces) {
+  std::string text;
+  for (const std::string_view piece : pieces) text.append(piece).append("\n");
+  return text;
+}
+
 }  // namespace
 
 std::string escapedHtml(const std::string& text) {
@@ -72,12 +79,16 @@ std::string pageText(const PageJson& data) {
       PageJson::parse(PageJson(data.at("title")).dump(-1, ' ', false, PageJson::error_handler_t::replace));
   const std::string shown_title = escapedHtml(title);
   const std::string nonce = fnv1a64(json);  // known to no text that was written before the page was
+  const bool sweep = data.value("kind", "") == "sweep";
+  const std::string style = joined({assets::page_css, sweep ? assets::sweep_css : ""});
+  const std::string scripts =
+      sweep ? joined({assets::shared_js, assets::sweep_data_js, assets::sweep_maps_js,
+                      assets::sweep_parallel_js, assets::sweep_curves_js, assets::sweep_js})
+            : joined({assets::shared_js, assets::plots_js, assets::page_js});
   return filledIn(assets::index_html, {{"title", shown_title},
                                        {"nonce", nonce},
-                                       {"page_css", assets::page_css},
-                                       {"shared_js", assets::shared_js},
-                                       {"plots_js", assets::plots_js},
-                                       {"page_js", assets::page_js},
+                                       {"page_css", style},
+                                       {"scripts", scripts},
                                        {"uplot_css", assets::uplot_css},
                                        {"uplot_js", assets::uplot_js},
                                        {"uplot_licence", assets::uplot_licence},

@@ -81,6 +81,7 @@ PageJson entryJson(const FolderEntry& entry) {
   return {{"name", entry.name},
           {"page", entry.page},
           {"problem", entry.problem},
+          {"note", entry.note},
           {"title", entry.info.title},
           {"runs", runs},
           {"numbers", folderNumbersJson(entry.info.pipelines)}};

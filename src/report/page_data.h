@@ -20,6 +20,7 @@ struct FolderEntry {
   std::string name;     ///< of the result, from the folder on
   std::string page;     ///< link to its page, from the table's page on; empty where there is none
   std::string problem;  ///< why it has no page
+  std::string note;     ///< what it is, where it is no result; of `info` only the title counts then
   ResultInfo info;      ///< where it has one
 };
 

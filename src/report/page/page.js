@@ -197,6 +197,9 @@ function folderRows(result) {
   const name = result.page ? element('a', {href: result.page}, result.name) : result.name;
   if (result.problem) return [element('tr', {}, element('th', {scope: 'row'}, name),
     element('td', {class: 'problem', colspan: data.columns.length + 2}, result.problem))];
+  if (result.note) return [element('tr', {},
+    element('th', {scope: 'row'}, name, element('br'), element('span', {class: 'soft'}, result.title)),
+    element('td', {class: 'left', colspan: data.columns.length + 2}, result.note))];
   const rows = result.runs.map((run, index) => element('tr', {},
     index > 0 ? null : element('th', {scope: 'row', rowspan: result.runs.length},
       name, element('br'), element('span', {class: 'soft'}, result.title)),

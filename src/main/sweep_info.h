@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "store/sweep_table.h"
+
+namespace fissure {
+
+/// What `info` says of a sweep's table: how its runs ended, its axes, quantities, curves and provenance.
+std::string sweepInfoText(const SweepTable& table);
+
+/// The same for machines.
+nlohmann::ordered_json sweepInfoJson(const std::filesystem::path& file, const SweepTable& table);
+
+}  // namespace fissure
