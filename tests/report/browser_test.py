@@ -1,6 +1,7 @@
-"""Report pages in headless Chromium, at desktop and phone width: browser_test.py FISSURE [--keep FOLDER]
+"""Report pages in headless Chromium, at desktop and phone width: browser_test.py FISSURE MAKE_SWEEP [--keep FOLDER]
 
-No message on the console, nothing wider than the window, every plot drawn, and one time for plots, frames and keys.
+No message on the console, nothing wider than the window, every plot drawn, and one time for plots, frames and keys. Of a
+sweep: a brush on one axis shows in all views, keys walk over the maps, and lists of runs can be chosen.
 """
 import argparse
 import pathlib
@@ -164,6 +165,88 @@ def check_folder_page(driver, page, width):
     check(driver.title == "press – fissure", f"{where}: the link leads to {driver.title}")
 
 
+# Ink of each canvas of a sweep's page, by what it shows, and what the texts say.
+SWEEP_INK = """
+const ink = canvas => {
+  const copy = Object.assign(document.createElement('canvas'), {width: canvas.width, height: canvas.height});
+  const context = copy.getContext('2d', {willReadFrequently: true});
+  context.drawImage(canvas, 0, 0);
+  const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
+  let sum = 0, hash = 0;
+  for (let i = 0; i < pixels.length; i += 4) { sum += pixels[i + 3] > 0; hash = (hash * 31 + pixels[i] + pixels[i + 1] + pixels[i + 3]) | 0; }
+  return [sum, hash];
+};
+const one = selector => [...document.querySelectorAll(selector)].map(ink);
+return {
+  maps: one('.maps canvas'), bar: one('canvas.bar'), lines: one('canvas.lines'), curves: one('[data-plot=sweep_curves] canvas'),
+  chosen: document.querySelector('.chosen').textContent,
+  readout: document.querySelector('.readout').textContent,
+  note: [...document.querySelectorAll('.curve-legend ~ p')].map(p => p.textContent).join(),
+  holds: document.querySelector('.holds').innerText,
+  looked: document.body.innerText.includes('The run that is looked at'),
+};
+"""
+BRUSH = """
+const handle = document.querySelector('.handle[data-dimension="' + arguments[0] + '"]'), box = handle.getBoundingClientRect();
+handle.setPointerCapture = () => {};
+const send = (kind, y) => handle.dispatchEvent(new PointerEvent(kind, {clientX: box.left + 20, clientY: box.top + y, pointerId: 1, bubbles: true}));
+send('pointerdown', 0); send('pointermove', 100); send('pointerup', 100);
+"""
+
+
+def sweep_shown(driver):
+    time.sleep(0.5)  # lines and curves are drawn a little later
+    return driver.execute_script(SWEEP_INK)
+
+
+def check_brush(driver, where):
+    before = sweep_shown(driver)
+    for view, least in (("maps", 3000), ("bar", 3000), ("lines", 1500), ("curves", 1000)):
+        check(before[view] and all(ink > least for ink, _ in before[view]), f"{where}: {view} empty: {before[view]}")
+    check("all chosen" in before["chosen"], f"{where}: {before['chosen']}")
+    driver.execute_script(BRUSH, "k")
+    after = sweep_shown(driver)
+    check(" runs of " in after["chosen"] and "Thin: " in after["note"], f"{where}: brush: {after['chosen']}, {after['note']}")
+    for view in ("maps", "lines", "curves"):
+        check(before[view] != after[view], f"{where}: the brush does not show in {view}")
+    driver.execute_script("document.querySelector('.controls button').click()")
+    again = sweep_shown(driver)
+    check(again["chosen"] == before["chosen"] and again["maps"] == before["maps"], f"{where}: all runs: {again['chosen']}")
+
+
+def check_keys_and_lists(driver, where):
+    driver.execute_script("for (const key of ['ArrowRight', 'ArrowRight']) document.querySelector('.maps canvas').dispatchEvent("
+                          "new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}))")
+    shown = sweep_shown(driver)
+    check("default_tuned, k " in shown["readout"] and " mm" in shown["readout"], f"{where}: keys: {shown['readout']}")
+    check(shown["looked"] and "looking at run" in shown["chosen"], f"{where}: nothing is looked at")
+    driver.execute_script("document.querySelector('.failures button').click()")
+    shown = sweep_shown(driver)
+    check("at step #" in shown["chosen"], f"{where}: failures: {shown['chosen']}")
+    driver.execute_script("const b = document.getElementById('bound'); b.value = 1000; b.dispatchEvent(new Event('input'))")
+    wide = sweep_shown(driver)
+    check("1000 mm" in wide["holds"] and wide["holds"] != shown["holds"], f"{where}: bound: {wide['holds']}")
+
+
+def check_sweep_page(driver, page, width, keep):
+    where = f"{page.name} at {width} px"
+    open_at(driver, page, width)
+    check_brush(driver, where)
+    check_keys_and_lists(driver, where)
+    text = driver.execute_script("return document.body.innerText")
+    for words in ("</script><b>which</b>", "Best fits", "Failures by reason", "tools.spatula.motion.speed_m_s", "not run"):
+        check(words in text, f"{where}: does not say {words}")
+    check_width_and_console(driver, where)
+    if keep:
+        driver.save_screenshot(str(pathlib.Path(keep) / f"{page.stem}_{width}.png"))
+
+
+def make_sweeps(program, make_sweep, folder):
+    for design, runs in (("grid", "378"), ("sobol", "240")):
+        subprocess.run([make_sweep, f"{design}.h5", design, runs], cwd=folder, check=True)
+        subprocess.run([program, "report", f"{design}.h5"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
 def make_pages(program, folder):
     (folder / "press.yaml").write_text(SCENARIO)
     (folder / "results").mkdir()
@@ -176,16 +259,21 @@ def make_pages(program, folder):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("program")
+    parser.add_argument("make_sweep")
     parser.add_argument("--keep", help="folder for screenshots")
     arguments = parser.parse_args()
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
-        make_pages(str(pathlib.Path(arguments.program).resolve()), folder)
+        program = str(pathlib.Path(arguments.program).resolve())
+        make_pages(program, folder)
+        make_sweeps(program, str(pathlib.Path(arguments.make_sweep).resolve()), folder)
         driver = browser()
         try:
             for width in (1280, 375):
                 check_result_page(driver, folder / "page.html", width, arguments.keep)
                 check_folder_page(driver, folder / "index.html", width)
+                for design in ("grid", "sobol"):
+                    check_sweep_page(driver, folder / f"{design}.html", width, arguments.keep)
         finally:
             driver.quit()
     for problem in problems:

@@ -69,7 +69,7 @@ function holdSection() {
 
 function axisSection() {
   const spacing = axis => axis.text || !axis.levels ? '' : axis.levels.length < 2 ? 'fixed' : axis.log ? 'by factors' : 'by steps';
-  section('What was swept', headedTable('text axes', ['axis', 'place in the scenario', 'from', 'to', 'values', 'spaced'], sweepAxes.map(axis =>
+  section('What was swept', headedTable('axes', ['axis', 'place in the scenario', 'from', 'to', 'values', 'spaced'], sweepAxes.map(axis =>
     element('tr', {}, element('th', {scope: 'row'}, axis.label), element('td', {}, axis.path),
       ...(axis.text ? [element('td', {colspan: 2}, axis.levels.slice(0, 12).join(', ') + (axis.levels.length > 12 ? ' …' : ''))]
         : [element('td', {}, axis.show(axis.min)), element('td', {}, axis.show(axis.max))]),
@@ -139,7 +139,7 @@ function failureSection() {
     element('td', {}, ...failure.examples.flatMap(number =>
       [placeIn(number) < 0 ? String(number) : pinButton(placeIn(number)), ' ']))));
   section('Failures by reason', element('p', {class: 'soft'}, 'Numbers within reasons are written as #, so that one cause is one row.'),
-    headedTable('text failures', ['ended', 'reason', 'runs', 'pipelines', 'where', 'for example run'], rows));
+    headedTable('failures', ['ended', 'reason', 'runs', 'pipelines', 'where', 'for example run'], rows));
 }
 
 function fitSection() {

@@ -136,7 +136,7 @@ function curveSection() {
     box = next;
     drawCurves();
   };
-  const every = data.curves.every > 1 ? ' Every ' + data.curves.every + 'th of ' + data.curves.stored + ' stored instants is drawn.' : '';
+  const every = data.curves.every > 1 ? ' One in ' + data.curves.every + ' of the ' + data.curves.stored + ' stored instants is drawn.' : '';
   section('Curves', element('p', {class: 'soft'}, 'Line: the median of each pipeline’s good runs at each instant; band: from 10 % to 90 % of them.' +
     every), box, element('figure', {class: 'plot', 'data-plot': 'sweep_curves'}, element('figcaption', {}, title), curves.holder),
   curves.read, curves.note);

@@ -1,6 +1,7 @@
 // ---- maps: any quantity over any two axes, a panel a pipeline
 
-const maps = {x: null, y: null, metric: null, reduce: 1, fixed: new Map(), log: null, panels: [], readout: null, bar: null};
+const maps = {x: null, y: null, metric: null, reduce: 1, fixed: new Map(), log: null, logNow: false, panels: [], readout: null,
+  bar: null, barTitle: null};
 const REDUCTIONS = ['smallest', 'median', 'largest'];
 const MARGIN = {left: 62, right: 10, top: 6, bottom: 42};
 
@@ -79,29 +80,30 @@ function drawCell(context, cell, box, colour) {
   }
 }
 
-// Labels along an axis of cells or of points, as many as fit.
+// Every mark, every second one ... so that none lies on its neighbour.
+function fitting(marks, long, room) {
+  for (let skip = 1; skip < marks.length; ++skip) {
+    const some = marks.filter((mark, i) => i % skip === 0);
+    if (some.every(([at, text], i) => i === 0 || Math.abs(at - some[i - 1][0]) * long >= (room(text) + room(some[i - 1][1])) / 2)) return some;
+  }
+  return marks.slice(0, 1);
+}
+
+// Labels along an axis of cells or of points.
 function drawAxes(context, width, height, xMarks, yMarks) {
   const inner = {width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom};
   context.fillStyle = INK;
   context.textAlign = 'center';
   context.textBaseline = 'top';
-  let last = -Infinity;
-  for (const [at, text] of xMarks) {
-    const x = MARGIN.left + at * inner.width, half = context.measureText(text).width / 2;
-    if (x - half < last + 6 || x + half > width) continue;
-    context.fillText(text, x, height - MARGIN.bottom + 5);
-    last = x + half;
+  for (const [at, text] of fitting(xMarks, inner.width, text => context.measureText(text).width + 7)) {
+    const half = context.measureText(text).width / 2;
+    context.fillText(text, Math.min(MARGIN.left + at * inner.width, width - half), height - MARGIN.bottom + 5);
   }
   context.fillText(axisTitle(maps.x), MARGIN.left + inner.width / 2, height - 17, inner.width);
   context.textAlign = 'right';
   context.textBaseline = 'middle';
-  last = Infinity;
-  for (const [at, text] of yMarks) {
-    const y = MARGIN.top + (1 - at) * inner.height;
-    if (y > last - 13) continue;
-    context.fillText(text, MARGIN.left - 5, y, MARGIN.left - 20);
-    last = y;
-  }
+  for (const [at, text] of fitting(yMarks, inner.height, () => 14))
+    context.fillText(text, MARGIN.left - 5, MARGIN.top + (1 - at) * inner.height, MARGIN.left - 20);
   context.save();
   context.translate(8, MARGIN.top + inner.height / 2);
   context.rotate(-Math.PI / 2);
@@ -115,10 +117,21 @@ function drawAxes(context, width, height, xMarks, yMarks) {
 
 const axisTitle = column => column.title + (column.log && (column.isAxis || maps.y === null) ? ' (logarithmic)' : '');
 
+// Colours from the smallest to the largest value that is drawn, the same in all panels.
+function colourScale() {
+  const drawn = drawsCells()
+    ? maps.panels.flatMap(panel => [...panel.cells.values()].map(cell => cell.run).filter(run => run !== null))
+    : allRuns.filter(run => endOf[run] === GOOD);
+  const values = drawn.map(run => maps.metric.values[run]).filter(Number.isFinite).sort((a, b) => a - b);
+  if (values.length === 0) return scaleOf(maps.metric, false);
+  const [min, max] = [values[0], values[values.length - 1]];
+  maps.logNow = maps.log ?? (min > 0 && max > 100 * min);
+  return scaleOf({...maps.metric, min, max, values}, maps.logNow);
+}
+
 function drawCells(panel, context, width, height, colour) {
   const columns = maps.x.levels.length, rows = maps.y.levels.length;
   const cell = {width: (width - MARGIN.left - MARGIN.right) / columns, height: (height - MARGIN.top - MARGIN.bottom) / rows};
-  panel.cells = cellsOf(panel.pipeline);
   panel.boxOf = one => ({x: MARGIN.left + one.x * cell.width, y: MARGIN.top + (rows - 1 - one.y) * cell.height,
     width: cell.width + 0.5, height: cell.height + 0.5});
   for (const one of panel.cells.values()) if (!one.pinned) drawCell(context, one, panel.boxOf(one), colour);
@@ -168,11 +181,16 @@ function drawDot(context, {run, x, y}, colour) {
 }
 
 function drawMaps() {
-  const colour = scaleOf(maps.metric, maps.log ?? maps.metric.log);
+  for (const panel of maps.panels) {
+    panel.cells = drawsCells() ? cellsOf(panel.pipeline) : null;
+    panel.dots = null;
+  }
+  const colour = colourScale();
+  for (const box of document.querySelectorAll('#logColours')) box.checked = maps.logNow;
+  maps.barTitle.textContent = maps.metric.title + (maps.logNow ? ' (logarithmic)' : '');
   for (const panel of maps.panels) {
     const width = Math.max(220, panel.holder.clientWidth), height = Math.round(Math.min(330, Math.max(230, width * 0.75)));
     const context = prepared(panel.canvas, width, height);
-    panel.cells = panel.dots = null;
     (drawsCells() ? drawCells : drawPoints)(panel, context, width, height, colour);
   }
   drawColourBar(colour);
@@ -285,7 +303,7 @@ function mapControls() {
   made.append(chooser('Across', names, varying.indexOf(maps.x), index => { maps.x = varying[index]; redraw(); }));
   made.append(chooser('Upwards', [...names, 'the colour’s quantity'], maps.y ? varying.indexOf(maps.y) : names.length,
     index => { maps.y = varying[index] ?? null; redraw(); }));
-  const log = element('input', {type: 'checkbox', checked: maps.log ?? maps.metric.log,
+  const log = element('input', {type: 'checkbox', id: 'logColours', checked: maps.logNow,
     onchange: () => { maps.log = log.checked; drawMaps(); }});
   made.append(element('label', {}, log, 'logarithmic colours'));
   if (!drawsCells()) return made;
@@ -324,12 +342,14 @@ function mapSection() {
   maps.metric = metricNamed('max_penetration_depth_m') ?? metrics.find(metric => metric.min < metric.max) ?? metrics[0];
   maps.readout = element('p', {class: 'readout', 'aria-live': 'polite'},
     'Point at a map, tap it, or step over it with the arrow keys: the run is read out here, and shown below.');
+  maps.barTitle = element('span', {class: 'soft'});
   maps.bar = element('canvas', {class: 'bar', 'aria-hidden': 'true'});
   section('Maps over the axes', element('p', {class: 'soft'}, drawsCells()
     ? 'A cell is one pair of values. Only good runs give a value; a small red cross in the corner says that others of the cell failed.'
     : 'A point is a run, at its values of two axes.'), mapControls(),
-  element('div', {class: 'legend'}, element('div', {}, maps.bar), mapLegend()),
+  element('div', {class: 'legend'}, element('div', {}, maps.barTitle, maps.bar), mapLegend()),
   element('div', {class: 'maps'}, ...pipelines.map((name, index) => mapPanel(index))), maps.readout);
-  chosen.views.push(drawMaps);
+  let waiting = null;  // thousands of points would hold up a brush that is being drawn
+  chosen.views.push(RUNS < 2000 ? drawMaps : () => { clearTimeout(waiting); waiting = setTimeout(drawMaps, 150); });
   drawMaps();
 }

@@ -9,7 +9,10 @@ function dimension(title, column, scale) {
     const share = scale.at(column.values[run]);
     at[run] = Number.isFinite(share) && endOf[run] !== MISSING || column.isAxis ? share : NONE;
   }
-  return {title, column, scale, at, brush: null, handle: null, band: null};
+  // Runs of equal value are spread a little, so that each of their lines is seen.
+  const room = column.levels ? Math.min(0.03, 0.3 / column.levels.length) : 0;
+  const drawn = at.map((share, run) => share + room * (2 * (run * 0.6180339887 % 1) - 1));
+  return {title, column, scale, at, drawn, brush: null, handle: null, band: null};
 }
 
 function makeDimensions() {
@@ -25,8 +28,8 @@ const xOf = index => 46 + index * (lines.wide - 92) / Math.max(1, lines.dims.len
 const yOf = share => TOP + (1 - share) * (TALL - TOP - BOTTOM - 18);
 
 function trace(context, run) {
-  context.moveTo(xOf(0), yOf(lines.dims[0].at[run]));
-  for (let i = 1; i < lines.dims.length; ++i) context.lineTo(xOf(i), yOf(lines.dims[i].at[run]));
+  context.moveTo(xOf(0), yOf(lines.dims[0].drawn[run]));
+  for (let i = 1; i < lines.dims.length; ++i) context.lineTo(xOf(i), yOf(lines.dims[i].drawn[run]));
 }
 
 // Lines of one look, a few hundred in a path: longer paths are slow to draw.
@@ -69,7 +72,8 @@ function drawFront() {
     runs: inside.filter(run => pipelineOf[run] === code && endOf[run] === GOOD),
     look: {colour: styleOf(code).stroke, width: 1, alpha},
   }));
-  groups.push({runs: inside.filter(run => endOf[run] === BAD), look: {colour: FAILED, width: 1.2, alpha: Math.max(0.4, alpha), dash: [5, 4]}});
+  const bad = inside.filter(run => endOf[run] === BAD), seen = Math.min(0.85, Math.max(0.25, 90 / Math.max(1, bad.length)));
+  groups.push({runs: bad, look: {colour: FAILED, width: 1.5, alpha: seen, dash: [6, 3]}});
   strokeOverTime(context, groups, () => {
     if (chosen.pinned !== null) {
       strokeRuns(context, [chosen.pinned], {colour: '#fff', width: 5, alpha: 0.9});
