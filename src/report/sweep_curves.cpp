@@ -12,7 +12,7 @@ namespace fissure {
 namespace {
 
 constexpr std::size_t most_times = 96;
-constexpr std::size_t most_values = 380000;  // two bytes each, four characters for every three
+constexpr std::size_t most_values = 300000;  // two bytes each, four characters for every three
 constexpr std::size_t missing_code = 65535;
 constexpr std::size_t values_a_read = std::size_t{1} << 21;
 

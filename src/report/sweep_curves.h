@@ -25,7 +25,7 @@ struct ShownRuns {
 /// bands: [{pipeline, low, median, high}], low: {f32}, high: {f32}, values: {u16}}], measured}. A track is a
 /// curve, or a curve of one law. `times_s` are every `every`-th of the `stored` instants, at most 96. Bands
 /// are the 10 %, 50 % and 90 % quantiles over the good runs of a pipeline that have a value. `rows` says for
-/// which places of the shown runs `values` are held, as many as a megabyte takes: `first`, then others in
+/// which places of the shown runs `values` are held, as many as 0.8 MB take: `first`, then others in
 /// scattered() order; values from 0 to 65534 go from `low` to `high` of their row, 65535 is missing. null
 /// where the table has no curves.
 PageJson sweepCurves(const SweepTable& table, const ShownRuns& shown);

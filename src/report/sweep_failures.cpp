@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -13,12 +12,6 @@ namespace {
 constexpr std::size_t most_examples = 3;
 constexpr std::size_t most_axes = 3;
 constexpr double most_share = 0.75;
-
-struct Cause {
-  std::string status;
-  std::string reason;
-  std::vector<std::size_t> runs;
-};
 
 bool isDigit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -45,49 +38,59 @@ std::size_t endOfNumber(const std::string& text, std::size_t at) {
 }
 
 /// Most frequent first, then by name.
-std::vector<Cause> causesOf(const std::vector<std::string>& status, const std::vector<std::string>& details) {
+std::vector<SweepFailure> failuresOf(const std::vector<std::string>& status,
+                                     const std::vector<std::string>& details) {
   std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> found;
   for (std::size_t run = 0; run < status.size(); ++run) {
     if (status[run] != good_run && status[run] != missing_run)
       found[{status[run], withoutNumbers(details[run])}].push_back(run);
   }
-  std::vector<Cause> causes;
-  for (const auto& [key, runs] : found) causes.push_back({key.first, key.second, runs});
-  std::stable_sort(causes.begin(), causes.end(),
-                   [](const Cause& a, const Cause& b) { return a.runs.size() > b.runs.size(); });
-  return causes;
-}
-
-/// Where along each numeric axis a cause's runs lie.
-PageJson whereOf(const Cause& cause, const std::vector<SweepAxisColumn>& axes,
-                 const std::vector<std::vector<double>>& values, const std::vector<std::string>& pipelines) {
-  std::set<std::string> own;
-  for (const std::size_t run : cause.runs) own.insert(pipelines[run]);
-  std::vector<PageJson> found;
-  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
-    if (values[axis].empty()) continue;
-    const auto less = [&](std::size_t a, std::size_t b) { return values[axis][a] < values[axis][b]; };
-    const auto [low, high] = std::minmax_element(cause.runs.begin(), cause.runs.end(), less);
-    const double from = values[axis][*low], to = values[axis][*high];
-    double all = 0, inside = 0;
-    for (std::size_t run = 0; run < pipelines.size(); ++run) {
-      if (!own.contains(pipelines[run])) continue;
-      ++all;
-      if (values[axis][run] >= from && values[axis][run] <= to) ++inside;
-    }
-    if (inside <= most_share * all)
-      found.push_back({{"axis", axes[axis].name}, {"from", from}, {"to", to}, {"share", inside / all}});
-  }
-  std::stable_sort(found.begin(), found.end(), [](const PageJson& a, const PageJson& b) {
-    return a.at("share").get<double>() < b.at("share").get<double>();
+  std::vector<SweepFailure> failures;
+  for (const auto& [key, runs] : found) failures.push_back({key.first, key.second, runs, {}});
+  std::stable_sort(failures.begin(), failures.end(), [](const SweepFailure& a, const SweepFailure& b) {
+    return a.runs.size() > b.runs.size();
   });
-  if (found.size() > most_axes) found.resize(most_axes);
-  return found;
+  return failures;
 }
 
-PageJson pipelinesOf(const Cause& cause, const std::vector<std::string>& pipelines) {
+/// Where along one axis a failure's runs lie.
+FailurePlace placeOf(const SweepFailure& failure, const std::string& axis, const std::vector<double>& values,
+                     const std::vector<std::string>& pipelines) {
+  std::set<std::string> own;
+  for (const std::size_t run : failure.runs) own.insert(pipelines[run]);
+  const auto less = [&](std::size_t a, std::size_t b) { return values[a] < values[b]; };
+  const auto [low, high] = std::minmax_element(failure.runs.begin(), failure.runs.end(), less);
+  FailurePlace place{axis, values[*low], values[*high]};
+  double all = 0, inside = 0;
+  for (std::size_t run = 0; run < pipelines.size(); ++run) {
+    if (!own.contains(pipelines[run])) continue;
+    ++all;
+    if (values[run] >= place.from && values[run] <= place.to) ++inside;
+  }
+  place.share = inside / all;
+  return place;
+}
+
+void findPlaces(const SweepTable& table, const std::vector<std::string>& pipelines,
+                std::vector<SweepFailure>& failures) {
+  for (const SweepAxisColumn& axis : table.layout().axes) {
+    if (!axis.numeric) continue;
+    const std::vector<double> values = table.numbers(axis.name);
+    for (SweepFailure& failure : failures) {
+      const FailurePlace place = placeOf(failure, axis.name, values, pipelines);
+      if (place.share <= most_share) failure.where.push_back(place);
+    }
+  }
+  for (SweepFailure& failure : failures) {
+    std::stable_sort(failure.where.begin(), failure.where.end(),
+                     [](const FailurePlace& a, const FailurePlace& b) { return a.share < b.share; });
+    failure.where.resize(std::min(failure.where.size(), most_axes));
+  }
+}
+
+PageJson pipelinesOf(const SweepFailure& failure, const std::vector<std::string>& pipelines) {
   std::map<std::string, std::size_t> counts;
-  for (const std::size_t run : cause.runs) ++counts[pipelines[run]];
+  for (const std::size_t run : failure.runs) ++counts[pipelines[run]];
   PageJson json = PageJson::array();
   for (const auto& [name, count] : counts) json.push_back({name, count});
   return json;
@@ -115,25 +118,31 @@ std::string withoutNumbers(const std::string& reason) {
 SweepEnds sweepEnds(const SweepTable& table) {
   SweepEnds ends;
   ends.status = table.texts("status");
-  const std::vector<std::string> pipelines = table.texts("pipeline");
-  std::vector<std::vector<double>> values;
-  for (const SweepAxisColumn& axis : table.layout().axes)
-    values.push_back(axis.numeric ? table.numbers(axis.name) : std::vector<double>());
-  const std::vector<Cause> causes = causesOf(ends.status, table.texts("status_detail"));
-  ends.reasons.assign(table.runs(), causes.size());
-  ends.failures = PageJson::array();
-  for (const Cause& cause : causes) {
-    for (const std::size_t run : cause.runs) ends.reasons[run] = ends.failures.size();
-    std::vector<std::size_t> examples = cause.runs;
-    examples.resize(std::min(examples.size(), most_examples));
-    ends.failures.push_back({{"status", cause.status},
-                             {"reason", cause.reason},
-                             {"count", cause.runs.size()},
-                             {"examples", examples},
-                             {"pipelines", pipelinesOf(cause, pipelines)},
-                             {"where", whereOf(cause, table.layout().axes, values, pipelines)}});
-  }
+  ends.pipelines = table.texts("pipeline");
+  ends.failures = failuresOf(ends.status, table.texts("status_detail"));
+  findPlaces(table, ends.pipelines, ends.failures);
+  ends.reasons.assign(table.runs(), ends.failures.size());
+  for (std::size_t i = 0; i < ends.failures.size(); ++i)
+    for (const std::size_t run : ends.failures[i].runs) ends.reasons[run] = i;
   return ends;
+}
+
+PageJson failuresJson(const SweepEnds& ends) {
+  PageJson json = PageJson::array();
+  for (const SweepFailure& failure : ends.failures) {
+    std::vector<std::size_t> examples = failure.runs;
+    examples.resize(std::min(examples.size(), most_examples));
+    PageJson where = PageJson::array();
+    for (const FailurePlace& place : failure.where)
+      where.push_back({{"axis", place.axis}, {"from", place.from}, {"to", place.to}, {"share", place.share}});
+    json.push_back({{"status", failure.status},
+                    {"reason", failure.reason},
+                    {"count", failure.runs.size()},
+                    {"examples", examples},
+                    {"pipelines", pipelinesOf(failure, ends.pipelines)},
+                    {"where", where}});
+  }
+  return json;
 }
 
 }  // namespace fissure

@@ -16,7 +16,7 @@ namespace fissure {
 namespace {
 
 constexpr std::size_t most_runs = 10000;
-constexpr std::size_t most_numbers = 700000;  // four bytes each, four characters for every three
+constexpr std::size_t most_numbers = 640000;  // four bytes each, four characters for every three
 constexpr std::size_t most_levels = 400;      // values of an axis that is drawn as steps
 constexpr std::size_t best_fits = 20;
 constexpr const char* misfit = "misfit_N";
@@ -83,7 +83,7 @@ PageJson countsJson(const std::vector<std::string>& pipelines, const std::vector
 
 /// The best fits, then the examples of failures: places in `runs`.
 std::vector<std::size_t> curvesFirst(const SweepTable& table, const std::vector<std::size_t>& runs,
-                                     const SweepEnds& ends) {
+                                     const PageJson& failures) {
   std::vector<std::size_t> first;
   const std::vector<SweepMetric>& metrics = table.layout().metrics;
   if (std::any_of(metrics.begin(), metrics.end(), [](const auto& metric) { return metric.name == misfit; })) {
@@ -94,7 +94,7 @@ std::vector<std::size_t> curvesFirst(const SweepTable& table, const std::vector<
                      [&](std::size_t a, std::size_t b) { return misfits[runs[a]] < misfits[runs[b]]; });
     first.resize(std::min(first.size(), best_fits));
   }
-  for (const PageJson& failure : ends.failures) {
+  for (const PageJson& failure : failures) {
     for (const std::size_t run : failure.at("examples")) {
       const auto at = std::lower_bound(runs.begin(), runs.end(), run);
       if (at != runs.end() && *at == run) first.push_back(static_cast<std::size_t>(at - runs.begin()));
@@ -113,12 +113,12 @@ ShownRuns describeShown(const SweepTable& table, const std::vector<std::size_t>&
                         const PageJson& pipelines, const SweepEnds& ends) {
   ShownRuns shown;
   shown.runs = runs;
-  const std::vector<std::string> names = picked(table.texts("pipeline"), runs);
+  const std::vector<std::string> names = picked(ends.pipelines, runs);
   for (const std::string& name : names)
     shown.pipeline.push_back(static_cast<std::size_t>(
         std::find(pipelines.begin(), pipelines.end(), PageJson(name)) - pipelines.begin()));
   for (const std::size_t run : runs) shown.good.push_back(ends.status[run] == good_run);
-  shown.first = curvesFirst(table, runs, ends);
+  shown.first = curvesFirst(table, runs, failuresJson(ends));
   return shown;
 }
 
@@ -131,8 +131,7 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
   const std::vector<std::size_t> runs =
       shownRuns(table.runs(), std::min(most_runs, std::max<std::size_t>(100, most_numbers / columns)));
   const SweepEnds ends = sweepEnds(table);
-  const std::vector<std::string> pipelines = table.texts("pipeline");
-  const PageJson packed_pipelines = packedTexts(picked(pipelines, runs));
+  const PageJson packed_pipelines = packedTexts(picked(ends.pipelines, runs));
   const bool all = runs.size() == table.runs();
   PageJson page = {{"kind", "sweep"},
                    {"title", layout.title},
@@ -143,7 +142,7 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
                    {"complete", table.complete()},
                    {"total", table.runs()},
                    {"shown", runs.size()},
-                   {"counts", countsJson(pipelines, ends.status)},
+                   {"counts", countsJson(ends.pipelines, ends.status)},
                    {"numbers", all ? PageJson() : packedNumbers({runs.begin(), runs.end()})},
                    {"point", packedNumbers(picked(table.numbers("point"), runs))},
                    {"repeat", packedNumbers(picked(table.numbers("repeat"), runs))},
@@ -153,7 +152,7 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
                    {"files", packedTexts(picked(table.texts("file"), runs))},
                    {"axes", axesJson(table, runs)},
                    {"metrics", metricsJson(table, runs)},
-                   {"failures", ends.failures},
+                   {"failures", failuresJson(ends)},
                    {"reasons", packedCodes(picked(ends.reasons, runs))}};
   page["curves"] = sweepCurves(table, describeShown(table, runs, packed_pipelines.at("values"), ends));
   page["source"] = layout.sweep_source;
