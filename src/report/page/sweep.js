@@ -2,10 +2,11 @@
 
 const state_of_page = {bound_mm: 0.5};
 const DESIGNS = {grid: 'a grid: every value of each axis with every value of the others', random: 'random points',
-  latin_hypercube: 'a Latin hypercube: points spread evenly along each axis', sobol: 'Sobol points: spread evenly over all axes'};
+  latin_hypercube: 'a Latin hypercube: points spread evenly along each axis',
+    sobol: 'Sobol points: spread evenly over all axes'};
 
 function countOf(test) {
-  return data.counts.filter(([pipeline, status]) => test(status, pipeline)).reduce((sum, [pipeline, status, count]) => sum + count, 0);
+  return data.counts.filter(([pipeline, status]) => test(status)).reduce((sum, entry) => sum + entry[2], 0);
 }
 
 const isFailed = status => status !== 'ok' && status !== 'missing';
@@ -14,8 +15,10 @@ const plural = (count, word) => count + ' ' + word + (count === 1 ? '' : 's');
 function sweepHeading() {
   document.documentElement.classList.add('drawn');
   const made = new Map(data.provenance);
-  const about = [data.file, made.get('ended_utc'), made.get('version') && 'fissure ' + made.get('version')].filter(part => part);
-  const failed = countOf(isFailed), missing = countOf(status => status === 'missing'), good = countOf(status => status === 'ok');
+  const version = made.get('version') && 'fissure ' + made.get('version');
+  const about = [data.file, made.get('ended_utc'), version].filter(part => part);
+  const failed = countOf(isFailed), missing = countOf(status => status === 'missing'),
+    good = countOf(status => status === 'ok');
   page.append(element('header', {},
     element('h1', {}, data.title),
     data.description ? element('p', {}, data.description) : null,
@@ -40,10 +43,12 @@ function holdRow(code, depth, passed) {
   const through = passed ? done.filter(run => passed.values[run] > 0).length : null;
   const depths = done.filter(run => endOf[run] === GOOD).map(run => depth.values[run])
     .filter(v => !Number.isNaN(v)).sort((a, b) => a - b);
-  const cell = (count, bad) => element('td', {class: bad && count > 0 ? 'bad' : ''}, count === null ? '–' : count + ' (' + percent(count, done.length) + ')');
+  const cell = count => element('td', {class: count > 0 ? 'bad' : ''},
+    count === null ? '–' : count + ' (' + percent(count, done.length) + ')');
   return element('tr', {'data-pipeline': pipelines[code]}, element('th', {scope: 'row'}, pipelineLabel(code)),
-    element('td', {class: done.length && held === done.length ? 'good' : ''}, element('b', {}, percent(held, done.length)), ' (' + held + ' of ' + done.length + ')'),
-    cell(through, true), cell(lost, true), cell(failed - lost, true), element('td', {}, String(runs.length - done.length)),
+    element('td', {class: done.length && held === done.length ? 'good' : ''},
+      element('b', {}, percent(held, done.length)), ' (' + held + ' of ' + done.length + ')'),
+    cell(through), cell(lost), cell(failed - lost), element('td', {}, String(runs.length - done.length)),
     element('td', {}, depths.length ? depth.show(depths[depths.length >> 1]) : '–'),
     element('td', {}, depths.length ? depth.show(depths[depths.length - 1]) : '–'));
 }
@@ -52,7 +57,8 @@ function holdSection() {
   const depth = metricNamed('max_penetration_depth_m'), passed = metricNamed('passed_through_samples') ?? null;
   if (!depth) return;
   const bound = element('input', {type: 'number', min: 0, step: 'any', value: state_of_page.bound_mm, id: 'bound'});
-  const head = () => ['', 'holds: at most ' + short(state_of_page.bound_mm) + ' mm deep', 'passed through', 'state not finite', 'failed otherwise',
+  const head = () => ['', 'holds: at most ' + short(state_of_page.bound_mm) + ' mm deep', 'passed through',
+    'state not finite', 'failed otherwise',
     'not run', 'median depth', 'worst depth'];
   const table = () => headedTable('numbers holds', head(), pipelines.map((name, code) => holdRow(code, depth, passed)));
   let shown = table();
@@ -63,18 +69,23 @@ function holdSection() {
     shown.replaceWith(next);
     shown = next;
   });
-  section('Which pipeline holds', element('p', {}, element('label', {}, 'A run holds when it ended well and the tool was never deeper than ',
+  section('Which pipeline holds', element('p', {}, element('label', {},
+    'A run holds when it ended well and the tool was never deeper than ',
     bound, ' mm.'), ' Shares are of the runs that were run.'), shown);
 }
 
 function axisSection() {
-  const spacing = axis => axis.text || !axis.levels ? '' : axis.levels.length < 2 ? 'fixed' : axis.log ? 'by factors' : 'by steps';
-  section('What was swept', headedTable('axes', ['axis', 'place in the scenario', 'from', 'to', 'values', 'spaced'], sweepAxes.map(axis =>
+  if (RUNS === 0) return;
+  const spacing = axis => axis.text ? '' : axis.levels && axis.levels.length < 2 ? 'fixed'
+    : axis.log ? 'by factors' : axis.levels ? 'by steps' : 'evenly';
+  section('What was swept', headedTable('axes', ['axis', 'place in the scenario', 'from', 'to', 'values', 'spaced'],
+    sweepAxes.map(axis =>
     element('tr', {}, element('th', {scope: 'row'}, axis.label), element('td', {}, axis.path),
-      ...(axis.text ? [element('td', {colspan: 2}, axis.levels.slice(0, 12).join(', ') + (axis.levels.length > 12 ? ' …' : ''))]
+      ...(axis.text ? [element('td', {colspan: 2}, axis.levels.slice(0, 12).join(', ') +
+        (axis.levels.length > 12 ? ' …' : ''))]
         : [element('td', {}, axis.show(axis.min)), element('td', {}, axis.show(axis.max))]),
-      element('td', {}, axis.levels ? String(axis.levels.length) : 'any'),
-      element('td', {}, spacing(axis) || (axis.text ? '' : axis.log ? 'by factors' : 'evenly'))))));
+      element('td', {class: 'count'}, axis.levels ? String(axis.levels.length) : 'any'),
+      element('td', {}, spacing(axis))))));
 }
 
 // ---- the bar that says what is chosen, and the run that is looked at
@@ -82,7 +93,12 @@ function axisSection() {
 function choiceBar() {
   if (RUNS === 0) return;
   const text = element('span', {class: 'chosen', 'aria-live': 'polite'});
-  const clear = element('button', {type: 'button', onclick: () => { clearBrushes(); chosen.pinned = null; chooseOnly(null); }}, 'All runs');
+  const letGo = () => {
+    clearBrushes();
+    chosen.pinned = null;
+    chooseOnly(null);
+  };
+  const clear = element('button', {type: 'button', onclick: letGo}, 'All runs');
   const show = () => {
     const only = chosen.only ? ', ' + chosen.only.label : '';
     text.textContent = chosen.count === RUNS ? plural(RUNS, 'run') + ' on this page, all chosen'
@@ -102,8 +118,10 @@ function runSection() {
     const run = chosen.pinned;
     made.hidden = run === null;
     if (run === null) return;
-    const row = (name, text, kind = '') => element('tr', {}, element('th', {scope: 'row'}, name), element('td', {class: kind}, text));
-    const head = [row('run', numberOf(run) + ', point ' + points[run] + (repeats[run] > 0 ? ', repeat ' + repeats[run] : '')),
+    const row = (name, text, kind = '') => element('tr', {}, element('th', {scope: 'row'}, name),
+      element('td', {class: kind}, text));
+    const head = [row('run', numberOf(run) + ', point ' + points[run] +
+      (repeats[run] > 0 ? ', repeat ' + repeats[run] : '')),
       row('pipeline', pipelines[pipelineOf[run]]),
       row('ended', statusOf(run) + (detailOf(run) ? ': ' + detailOf(run) : ''), ['good', '', 'bad'][endOf[run]])];
     if (fileOf(run)) head.push(row('result', fileOf(run)));
@@ -119,9 +137,11 @@ function runSection() {
 // ---- failures and fits
 
 function placeOf(where) {
-  const axis = sweepAxes.find(one => one.name === where.axis), factor = (UNITS[data.axes[sweepAxes.indexOf(axis)].unit] ?? ['', 1])[1];
+  const axis = sweepAxes.find(one => one.name === where.axis),
+    factor = (UNITS[data.axes[sweepAxes.indexOf(axis)].unit] ?? ['', 1])[1];
   const [from, to] = [axis.show(where.from * factor), axis.show(where.to * factor)];
-  return axis.label + (from === to ? ' = ' + from : ' from ' + from + ' to ' + to) + ' (as ' + percent(where.share, 1) + ' of all)';
+  return axis.label + (from === to ? ' = ' + from : ' from ' + from + ' to ' + to) + ' (' +
+    percent(where.share, 1) + ' of all runs are there)';
 }
 
 function failureSection() {
@@ -130,37 +150,47 @@ function failureSection() {
   const placeIn = number => runNumbers ? runNumbers.indexOf(number) : number;
   const rows = data.failures.map((failure, index) => element('tr', {},
     element('td', {}, element('button', {type: 'button', onclick: () =>
-      chooseOnly(failure.status + (failure.reason ? ': ' + failure.reason : ''), allRuns.filter(run => codes[run] === index))},
+      chooseOnly(failure.status + (failure.reason ? ': ' + failure.reason : ''),
+        allRuns.filter(run => codes[run] === index))},
     'choose'), ' ', element('b', {class: 'bad'}, failure.status)),
     element('td', {}, failure.reason || 'no reason given'),
     element('td', {}, String(failure.count)),
     element('td', {}, failure.pipelines.map(([name, count]) => name + ' ' + count).join(', ')),
-    element('td', {}, failure.where.length ? 'all at ' + failure.where.map(placeOf).join(', ') : 'nowhere in particular'),
+    element('td', {}, failure.where.length ? 'all at ' + failure.where.map(placeOf).join(', ') :
+      'nowhere in particular'),
     element('td', {}, ...failure.examples.flatMap(number =>
       [placeIn(number) < 0 ? String(number) : pinButton(placeIn(number)), ' ']))));
-  section('Failures by reason', element('p', {class: 'soft'}, 'Numbers within reasons are written as #, so that one cause is one row.'),
+  section('Failures by reason', element('p', {class: 'soft'},
+    'Numbers within reasons are written as #, so that one cause is one row.'),
     headedTable('failures', ['ended', 'reason', 'runs', 'pipelines', 'where', 'for example run'], rows));
 }
 
 function fitSection() {
   const misfit = metricNamed('misfit_N');
   if (!misfit) return;
-  const best = allRuns.filter(run => !Number.isNaN(misfit.values[run])).sort((a, b) => misfit.values[a] - misfit.values[b]).slice(0, 20);
-  const rows = best.map((run, place) => element('tr', {}, element('td', {}, String(place + 1)), element('td', {}, misfit.show(misfit.values[run])),
-    element('td', {}, pipelineLabel(pipelineOf[run])), ...varying.map(axis => element('td', {}, axis.show(axis.values[run]))),
+  const known = allRuns.filter(run => !Number.isNaN(misfit.values[run]));
+  const best = known.sort((a, b) => misfit.values[a] - misfit.values[b]).slice(0, 20);
+  const rows = best.map((run, place) => element('tr', {}, element('td', {}, String(place + 1)),
+    element('td', {}, misfit.show(misfit.values[run])),
+    element('td', {}, pipelineLabel(pipelineOf[run])), ...varying.map(axis =>
+      element('td', {}, axis.show(axis.values[run]))),
     element('td', {}, pinButton(run))));
-  section('Best fits', element('p', {class: 'soft'}, 'The runs whose force comes closest to the measured one: the smallest misfit first. ',
-    element('button', {type: 'button', onclick: () => { clearBrushes(); chooseOnly('best fits', best); }}, 'Choose these ' + best.length)),
+  section('Best fits', element('p', {class: 'soft'},
+    'The runs whose force comes closest to the measured one: the smallest misfit first. ',
+    element('button', {type: 'button', onclick: () => { clearBrushes(); chooseOnly('best fits', best); }},
+      'Choose these')),
   headedTable('numbers fits', ['', 'misfit', 'pipeline', ...varying.map(axis => axis.label), 'run'], rows));
 }
 
 function sourceSection() {
   const made = section('Sweep file and provenance');
-  if (data.source) made.append(element('details', {}, element('summary', {}, 'Sweep file'), element('pre', {}, data.source)));
+  if (data.source) made.append(element('details', {}, element('summary', {}, 'Sweep file'),
+    element('pre', {}, data.source)));
   if (data.provenance.length) made.append(element('details', {}, element('summary', {}, 'Provenance'),
     headedTable('text', ['', ''], data.provenance.map(([name, value]) => element('tr', {},
       element('th', {scope: 'row'}, name), element('td', {}, value))))));
-  page.append(element('footer', {}, 'Made by ' + data.program + '. Plots of curves: uPlot 1.6.32, MIT licence. Colours: viridis; Okabe and Ito.'));
+  page.append(element('footer', {}, 'Made by ' + data.program +
+    '. Plots of curves: uPlot 1.6.32, MIT licence. Colours: viridis; Okabe and Ito.'));
 }
 
 page.replaceChildren();

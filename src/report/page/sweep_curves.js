@@ -24,11 +24,13 @@ function openTracks() {
     track.highs = numbersOf(track.high, kept.length);
     track.codes = codesOf(track.values);
     for (const band of track.bands)
-      for (const name of ['low', 'median', 'high']) band[name] = band[name].map(v => v === null ? null : v * track.factor);
+      for (const name of ['low', 'median', 'high'])
+        band[name] = band[name].map(v => v === null ? null : v * track.factor);
   }
 }
 
-const trackTitle = track => inWords(track.curve) + (track.law ? ' of ' + track.law : '') + (track.shown ? ', ' + track.shown : '');
+const trackTitle = track => inWords(track.curve) + (track.law ? ' of ' + track.law : '') +
+  (track.shown ? ', ' + track.shown : '');
 const isForce = track => track.unit === 'N' && data.curves.measured.length > 0;
 
 // Which single runs are drawn: the pinned one, then chosen ones in their order, where not all are chosen.
@@ -44,7 +46,8 @@ function bandSeries(track, table, series, bands) {
     if (band.median.every(v => v === null)) continue;
     const {stroke, dash} = styleOf(band.pipeline), first = table.length;
     table.push(band.high, band.low, band.median);
-    series.push({stroke: stroke + '66', width: 0.5, points: {show: false}}, {stroke: stroke + '66', width: 0.5, points: {show: false}},
+    series.push({stroke: stroke + '66', width: 0.5, points: {show: false}},
+      {stroke: stroke + '66', width: 0.5, points: {show: false}},
       {stroke, width: 2.5, dash, points: {show: false}});
     bands.push({series: [first, first + 1], fill: stroke + '2e'});
   }
@@ -76,11 +79,13 @@ function drawCurves() {
   for (const run of shown) {
     table.push(ownCurve(track, run));
     const pinned = run === chosen.pinned;
-    series.push({stroke: pinned ? '#000' : styleOf(pipelineOf[run]).stroke + 'b0', width: pinned ? 2.5 : 1, points: {show: false}});
+    series.push({stroke: pinned ? '#000' : styleOf(pipelineOf[run]).stroke + 'b0', width: pinned ? 2.5 : 1,
+      points: {show: false}});
   }
   if (curves.chart) curves.chart.destroy();
   const range = curveRange(track, table, firstSingle);
-  const axis = {font: FONT, stroke: INK, ticks: {stroke: '#c3c9d0', width: 1, size: 5}, grid: {stroke: '#e8ebee', width: 1}};
+  const axis = {font: FONT, stroke: INK, ticks: {stroke: '#c3c9d0', width: 1, size: 5},
+    grid: {stroke: '#e8ebee', width: 1}};
   curves.chart = new uPlot({
     width: Math.max(220, curves.holder.clientWidth), height: 300, padding: [10, 14, 0, 0], legend: {show: false}, bands,
     scales: {x: {time: false}, y: {range}},
@@ -98,7 +103,8 @@ function drawCurves() {
 function noteOnSingles(of, shown) {
   const held = curves.kept.length < RUNS ? ' The page holds the curves of ' + curves.kept.length + ' runs.' : '';
   const pinned = chosen.pinned === null ? '' : curves.rows.has(chosen.pinned)
-    ? ' Black: run ' + numberOf(chosen.pinned) + '.' : ' The curve of run ' + numberOf(chosen.pinned) + ' is not among them.';
+    ? ' Black: run ' + numberOf(chosen.pinned) + '.' : ' The curve of run ' + numberOf(chosen.pinned) +
+      ' is not among them.';
   if (chosen.count === RUNS) return 'Choose runs above to see their own curves.' + held + pinned;
   const singles = shown.filter(run => run !== chosen.pinned).length;
   return 'Thin: ' + singles + (of > singles ? ' of ' + of : '') + ' chosen runs.' + held + pinned;
@@ -125,7 +131,8 @@ function curveSection() {
   const controls = () => element('div', {class: 'choices'},
     names.length < 2 ? null : chooser('Curve', names.map(inWords), names.indexOf(tracks[curves.track].curve),
       index => { curves.track = tracks.findIndex(track => track.curve === names[index]); redraw(); }),
-    laws().length < 2 ? null : chooser('Force law', laws().map(track => track.law), laws().indexOf(tracks[curves.track]),
+    laws().length < 2 ? null : chooser('Force law', laws().map(track => track.law),
+      laws().indexOf(tracks[curves.track]),
       index => { curves.track = tracks.indexOf(laws()[index]); redraw(); }));
   const title = element('h3', {});
   let box = controls();
@@ -136,9 +143,12 @@ function curveSection() {
     box = next;
     drawCurves();
   };
-  const every = data.curves.every > 1 ? ' One in ' + data.curves.every + ' of the ' + data.curves.stored + ' stored instants is drawn.' : '';
-  section('Curves', element('p', {class: 'soft'}, 'Line: the median of each pipeline’s good runs at each instant; band: from 10 % to 90 % of them.' +
-    every), box, element('figure', {class: 'plot', 'data-plot': 'sweep_curves'}, element('figcaption', {}, title), curves.holder),
+  const every = data.curves.every > 1 ? ' One in ' + data.curves.every + ' of the ' + data.curves.stored +
+    ' stored instants is drawn.' : '';
+  section('Curves', element('p', {class: 'soft'},
+    'Line: the median of each pipeline’s good runs at each instant; band: from 10 % to 90 % of them.' +
+    every), box, element('figure', {class: 'plot', 'data-plot': 'sweep_curves'}, element('figcaption', {}, title),
+      curves.holder),
   curves.read, curves.note);
   title.textContent = trackTitle(tracks[curves.track]);
   let waiting = null;

@@ -86,7 +86,8 @@ function scaleOf(column, log = column.log) {
   let {min, max} = column;
   const useLog = log && max > 0;
   if (useLog && min <= 0) min = column.values.reduce((least, v) => v > 0 && v < least ? v : least, max);
-  if (min === max) [min, max] = useLog ? [min / 2, max * 2] : [min - (Math.abs(min) / 2 || 1), max + (Math.abs(max) / 2 || 1)];
+  const half = Math.abs(min) / 2 || 1;
+  if (min === max) [min, max] = useLog ? [min / 2, max * 2] : [min - half, max + half];
   const at = useLog ? v => v > 0 ? Math.log(v / min) / Math.log(max / min) : v === 0 ? 0 : NaN
     : v => (v - min) / (max - min);
   return {at, log: useLog, marks: most => marksBetween(min, max, useLog, most).map(v => [at(v), short(v)])};
@@ -106,7 +107,8 @@ function marksBetween(min, max, log, most) {
   const rough = (max - min) / most, power = 10 ** Math.floor(Math.log10(rough));
   const step = [1, 2, 5, 10].map(digit => digit * power).find(wide => wide >= rough * 0.999);
   const marks = [];
-  for (let i = Math.ceil(min / step - 1e-6); i * step <= max + 1e-6 * step; ++i) marks.push(Number((i * step).toPrecision(12)));
+  for (let i = Math.ceil(min / step - 1e-6); i * step <= max + 1e-6 * step; ++i)
+    marks.push(Number((i * step).toPrecision(12)));
   return marks;
 }
 
@@ -115,7 +117,8 @@ const VIRIDIS = ['440154', '482878', '3e4989', '31688e', '26828e', '1f9e89', '35
   .map(hex => [0, 2, 4].map(at => parseInt(hex.slice(at, at + 2), 16)));
 
 function colourAt(share) {
-  const at = Math.min(1, Math.max(0, share)) * (VIRIDIS.length - 1), below = Math.min(VIRIDIS.length - 2, Math.floor(at));
+  const at = Math.min(1, Math.max(0, share)) * (VIRIDIS.length - 1),
+    below = Math.min(VIRIDIS.length - 2, Math.floor(at));
   const mixed = VIRIDIS[below].map((v, i) => Math.round(v + (at - below) * (VIRIDIS[below + 1][i] - v)));
   return 'rgb(' + mixed.join(',') + ')';
 }
@@ -163,7 +166,8 @@ function pin(run) {
 // ---- pieces
 
 const pipelineLabel = code => element('span', {}, swatch(code), pipelines[code]);
-const pinButton = run => element('button', {type: 'button', class: 'run', onclick: () => pin(run)}, String(numberOf(run)));
+const pinButton = run => element('button', {type: 'button', class: 'run', onclick: () => pin(run)},
+  String(numberOf(run)));
 const percent = (part, whole) => whole ? short(Number((100 * part / whole).toPrecision(3))) + ' %' : '–';
 
 function chooser(label, options, selected, change) {

@@ -1,14 +1,15 @@
 // ---- maps: any quantity over any two axes, a panel a pipeline
 
-const maps = {x: null, y: null, metric: null, reduce: 1, fixed: new Map(), log: null, logNow: false, panels: [], readout: null,
-  bar: null, barTitle: null};
+const maps = {x: null, y: null, metric: null, reduce: 1, fixed: new Map(), log: null, logNow: false, panels: [],
+  readout: null, bar: null, barTitle: null};
 const REDUCTIONS = ['smallest', 'median', 'largest'];
 const MARGIN = {left: 62, right: 10, top: 6, bottom: 42};
 
 // Cells need few values along both axes; everything else is drawn as points.
 const drawsCells = () => maps.y !== null && maps.x.levels !== null && maps.y.levels !== null && data.design === 'grid';
 const others = () => drawsCells() ? varying.filter(axis => axis !== maps.x && axis !== maps.y && axis.levels) : [];
-const fits = run => others().every(axis => (maps.fixed.get(axis) ?? null) === null || axis.codes[run] === maps.fixed.get(axis));
+const fits = run => others().every(axis => (maps.fixed.get(axis) ?? null) === null ||
+  axis.codes[run] === maps.fixed.get(axis));
 
 function reduced(runs) {
   const sorted = runs.filter(run => !Number.isNaN(maps.metric.values[run]))
@@ -84,7 +85,9 @@ function drawCell(context, cell, box, colour) {
 function fitting(marks, long, room) {
   for (let skip = 1; skip < marks.length; ++skip) {
     const some = marks.filter((mark, i) => i % skip === 0);
-    if (some.every(([at, text], i) => i === 0 || Math.abs(at - some[i - 1][0]) * long >= (room(text) + room(some[i - 1][1])) / 2)) return some;
+    const clear = ([at, text], i) => i === 0 ||
+      Math.abs(at - some[i - 1][0]) * long >= (room(text) + room(some[i - 1][1])) / 2;
+    if (some.every(clear)) return some;
   }
   return marks.slice(0, 1);
 }
@@ -131,7 +134,8 @@ function colourScale() {
 
 function drawCells(panel, context, width, height, colour) {
   const columns = maps.x.levels.length, rows = maps.y.levels.length;
-  const cell = {width: (width - MARGIN.left - MARGIN.right) / columns, height: (height - MARGIN.top - MARGIN.bottom) / rows};
+  const cell = {width: (width - MARGIN.left - MARGIN.right) / columns,
+    height: (height - MARGIN.top - MARGIN.bottom) / rows};
   panel.boxOf = one => ({x: MARGIN.left + one.x * cell.width, y: MARGIN.top + (rows - 1 - one.y) * cell.height,
     width: cell.width + 0.5, height: cell.height + 0.5});
   for (const one of panel.cells.values()) if (!one.pinned) drawCell(context, one, panel.boxOf(one), colour);
@@ -154,7 +158,8 @@ function drawPoints(panel, context, width, height, colour) {
   const order = dot => (dot.run === chosen.pinned ? 2 : chosen.inside[dot.run]);
   for (const dot of [...panel.dots].sort((a, b) => order(a) - order(b))) drawDot(context, dot, colour);
   const shift = (marks, span) => marks.map(([at, text]) => [(6 + at * span) / (span + 12), text]);
-  drawAxes(context, width, height, shift(xScale.marks(width < 340 ? 4 : 7), inner.width), shift(yScale.marks(7), inner.height));
+  drawAxes(context, width, height, shift(xScale.marks(width < 340 ? 4 : 7), inner.width),
+    shift(yScale.marks(7), inner.height));
 }
 
 function drawDot(context, {run, x, y}, colour) {
@@ -189,7 +194,8 @@ function drawMaps() {
   for (const box of document.querySelectorAll('#logColours')) box.checked = maps.logNow;
   maps.barTitle.textContent = maps.metric.title + (maps.logNow ? ' (logarithmic)' : '');
   for (const panel of maps.panels) {
-    const width = Math.max(220, panel.holder.clientWidth), height = Math.round(Math.min(330, Math.max(230, width * 0.75)));
+    const width = Math.max(220, panel.holder.clientWidth);
+    const height = Math.round(Math.min(330, Math.max(230, width * 0.75)));
     const context = prepared(panel.canvas, width, height);
     (drawsCells() ? drawCells : drawPoints)(panel, context, width, height, colour);
   }
@@ -197,7 +203,8 @@ function drawMaps() {
 }
 
 function drawColourBar(colour) {
-  const width = Math.min(420, Math.max(240, maps.bar.parentElement.clientWidth)), context = prepared(maps.bar, width, 36);
+  const width = Math.min(420, Math.max(240, maps.bar.parentElement.clientWidth)),
+    context = prepared(maps.bar, width, 36);
   for (let x = 20; x < width - 20; ++x) {
     context.fillStyle = colourAt((x - 20) / (width - 41));
     context.fillRect(x, 2, 1.5, 14);
@@ -221,15 +228,16 @@ function spokenRun(run) {
   const values = varying.map(axis => axis.label + ' ' + axis.show(axis.values[run])).join(', ');
   const end = endOf[run] === GOOD ? maps.metric.label + ' ' + maps.metric.show(maps.metric.values[run])
     : endOf[run] === MISSING ? 'not run' : statusOf(run) + (detailOf(run) ? ': ' + detailOf(run) : '');
-  return pipelines[pipelineOf[run]] + ', ' + values + ': ' + end + ' · run ' + numberOf(run) + ', point ' + points[run] +
-    (fileOf(run) ? ', ' + fileOf(run) : '');
+  return pipelines[pipelineOf[run]] + ', ' + values + ': ' + end +
+    ' · run ' + numberOf(run) + ', point ' + points[run] + (fileOf(run) ? ', ' + fileOf(run) : '');
 }
 
 function spokenCell(cell) {
   const run = cell.run ?? cell.bad[0] ?? cell.missing[0], more = cell.all.length - 1;
   const counted = [[cell.good, 'good'], [cell.bad, 'failed'], [cell.missing, 'not run']].filter(([runs]) => runs.length)
     .map(([runs, word]) => runs.length + ' ' + word).join(', ');
-  return spokenRun(run) + (more > 0 ? ' · the ' + REDUCTIONS[maps.reduce] + ' of ' + cell.all.length + ' runs (' + counted + ')' : '');
+  return spokenRun(run) + (more > 0 ? ' · the ' + REDUCTIONS[maps.reduce] + ' of ' + cell.all.length + ' runs (' +
+    counted + ')' : '');
 }
 
 function found(panel, x, y) {
@@ -285,7 +293,8 @@ function mapPanel(pipeline) {
     if (at) { readOut(at); pin(runAt(at)); }
   });
   maps.panels.push(panel);
-  return element('figure', {class: 'map'}, element('figcaption', {}, element('h3', {}, pipelineLabel(pipeline))), holder);
+  return element('figure', {class: 'map'}, element('figcaption', {}, element('h3', {}, pipelineLabel(pipeline))),
+    holder);
 }
 
 function mapControls() {
@@ -333,7 +342,8 @@ function mapLegend() {
   context.strokeStyle = FAINT;
   context.strokeRect(165.5, 2.5, 15, 15);
   context.fillText('no run planned', 186, 11);
-  return drawsCells() ? canvas : element('span', {class: 'soft'}, 'A red cross is a failed run, an open circle one without a value.');
+  return drawsCells() ? canvas : element('span', {class: 'soft'},
+    'A red cross is a failed run, an open circle one without a value.');
 }
 
 function mapSection() {
@@ -345,7 +355,8 @@ function mapSection() {
   maps.barTitle = element('span', {class: 'soft'});
   maps.bar = element('canvas', {class: 'bar', 'aria-hidden': 'true'});
   section('Maps over the axes', element('p', {class: 'soft'}, drawsCells()
-    ? 'A cell is one pair of values. Only good runs give a value; a small red cross in the corner says that others of the cell failed.'
+    ? 'A cell is one pair of values. Only good runs give a value; a small red cross in the corner says that others ' +
+      'of the cell failed.'
     : 'A point is a run, at its values of two axes.'), mapControls(),
   element('div', {class: 'legend'}, element('div', {}, maps.barTitle, maps.bar), mapLegend()),
   element('div', {class: 'maps'}, ...pipelines.map((name, index) => mapPanel(index))), maps.readout);

@@ -20,7 +20,8 @@ function makeDimensions() {
     show: code => pipelines[code]};
   const made = pipelines.length > 1 ? [dimension('pipeline', entry, scaleOf(entry))] : [];
   for (const axis of varying) made.push(dimension(axis.title, axis, scaleOf(axis)));
-  for (const metric of metrics) if (lines.metrics.has(metric)) made.push(dimension(metric.title, metric, scaleOf(metric)));
+  for (const metric of metrics)
+    if (lines.metrics.has(metric)) made.push(dimension(metric.title, metric, scaleOf(metric)));
   return made;
 }
 
@@ -61,18 +62,20 @@ function strokeOverTime(context, groups, done) {
 
 function drawBack() {
   const context = prepared(lines.back, lines.wide, TALL);
-  strokeRuns(context, allRuns.filter(run => endOf[run] !== MISSING), {colour: FAINT, width: 0.7, alpha: RUNS > 2000 ? 0.35 : 0.8});
+  const look = {colour: FAINT, width: 0.7, alpha: RUNS > 2000 ? 0.35 : 0.8};
+  strokeRuns(context, allRuns.filter(run => endOf[run] !== MISSING), look);
 }
 
 function drawFront() {
   if (lines.dims.length === 0) return;
   const context = prepared(lines.front, lines.wide, TALL);
-  const inside = allRuns.filter(run => chosen.inside[run]), alpha = Math.min(0.85, Math.max(0.12, 60 / Math.max(1, inside.length)));
+  const inside = allRuns.filter(run => chosen.inside[run]), bad = inside.filter(run => endOf[run] === BAD);
+  const alpha = Math.min(0.85, Math.max(0.12, 60 / Math.max(1, inside.length)));
   const groups = pipelines.map((name, code) => ({
     runs: inside.filter(run => pipelineOf[run] === code && endOf[run] === GOOD),
     look: {colour: styleOf(code).stroke, width: 1, alpha},
   }));
-  const bad = inside.filter(run => endOf[run] === BAD), seen = Math.min(0.85, Math.max(0.25, 90 / Math.max(1, bad.length)));
+  const seen = Math.min(0.85, Math.max(0.25, 90 / Math.max(1, bad.length)));
   groups.push({runs: bad, look: {colour: FAILED, width: 1.5, alpha: seen, dash: [6, 3]}});
   strokeOverTime(context, groups, () => {
     if (chosen.pinned !== null) {
@@ -142,7 +145,8 @@ function setBrush(dim, brush) {
 
 function showBrush(dim) {
   dim.band.hidden = !dim.brush;
-  dim.handle.setAttribute('aria-valuetext', dim.brush ? 'chosen from ' + Math.round(100 * Math.max(0, dim.brush[0])) + ' to ' +
+  dim.handle.setAttribute('aria-valuetext', dim.brush ? 'chosen from ' +
+    Math.round(100 * Math.max(0, dim.brush[0])) + ' to ' +
     Math.round(100 * Math.min(1, dim.brush[1])) + ' % of the axis' : 'all runs');
   if (!dim.brush) return;
   dim.band.style.top = yOf(dim.brush[1]) + 'px';
@@ -157,19 +161,25 @@ function clearBrushes() {
 function brushKey(dim, event) {
   const step = {ArrowUp: 0.05, ArrowDown: -0.05}[event.key];
   if (event.key === 'Escape' || event.key === 'Delete') setBrush(dim, null);
-  else if (step) setBrush(dim, dim.brush ? [dim.brush[0] + (event.shiftKey ? 0 : step), dim.brush[1] + step] : [0.4, 0.6]);
+  else if (step) setBrush(dim, dim.brush ? [dim.brush[0] + (event.shiftKey ? 0 : step), dim.brush[1] + step] :
+    [0.4, 0.6]);
   else return;
   event.preventDefault();
 }
 
 function brushHandle(dim, index) {
   dim.band = element('div', {class: 'band'});
-  dim.handle = element('div', {class: 'handle', tabindex: '0', role: 'slider', 'aria-label': dim.title, 'aria-valuemin': 0,
+  dim.handle = element('div', {class: 'handle', tabindex: '0', role: 'slider', 'aria-label': dim.title,
+    'aria-valuemin': 0,
     'aria-valuemax': 100, 'aria-valuenow': 0, 'data-dimension': dim.column.name ?? dim.title}, dim.band);
   dim.handle.style.left = xOf(index) - 20 + 'px';
-  const shareAt = event => 1 - (event.clientY - lines.box.getBoundingClientRect().top - TOP) / (TALL - TOP - BOTTOM - 18);
+  const shareAt = event => 1 - (event.clientY - lines.box.getBoundingClientRect().top - TOP) /
+    (TALL - TOP - BOTTOM - 18);
   let from = null;
-  dim.handle.addEventListener('pointerdown', event => { from = shareAt(event); dim.handle.setPointerCapture(event.pointerId); });
+  dim.handle.addEventListener('pointerdown', event => {
+    from = shareAt(event);
+    dim.handle.setPointerCapture(event.pointerId);
+  });
   dim.handle.addEventListener('pointermove', event => {
     if (from !== null && Math.abs(shareAt(event) - from) > 0.015) setBrush(dim, [from, shareAt(event)]);
   });
@@ -212,9 +222,10 @@ function parallelSection() {
   lines.front = element('canvas', {'aria-hidden': 'true', class: 'lines'});
   lines.box = element('div', {class: 'parallel', role: 'group', 'aria-label': 'runs over all axes'});
   section('All axes at once', element('p', {class: 'soft'},
-    'A line is a run; dashed red ones failed. Drag along an axis to choose runs, everywhere on this page; click the axis to let go. ' +
-    'With keys: up and down move what is chosen on an axis, with Shift they widen it, Escape lets go.'),
-  element('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'runs over all axes'}, lines.box), metricBoxes());
+    'A line is a run; dashed red ones failed. Drag along an axis to choose runs, everywhere on this page; click the axis to ' +
+    'let go. With keys: up and down move what is chosen on an axis, with Shift they widen it, Escape lets go.'),
+  element('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'runs over all axes'}, lines.box),
+    metricBoxes());
   layParallel();
   chosen.views.push(drawFront);
 }

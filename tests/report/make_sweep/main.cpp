@@ -1,4 +1,5 @@
-// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol RUNS
+// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol|line RUNS; a line has
+// one axis, one pipeline and no curves
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -119,12 +120,27 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
 
 int main(int count, char** words) {
   if (count != 4) {
-    std::cerr << "usage: make_sweep FILE grid|sobol RUNS\n";
+    std::cerr << "usage: make_sweep FILE grid|sobol|line RUNS\n";
     return 2;
   }
   const bool grid = std::string(words[2]) == "grid";
   const SweepTableLayout layout = layoutOf(grid, static_cast<std::size_t>(std::atoi(words[3])));
-  SweepTableWriter writer(words[1], layout);
-  for (std::size_t run = 0; run < layout.runs; ++run) writer.append(runOf(layout, run, grid));
+  SweepTableLayout written = layout;
+  const bool line = std::string(words[2]) == "line";
+  if (line) {
+    written.axes.resize(1);
+    written.curve_time_s.clear();
+    written.metrics.resize(1);
+  }
+  SweepTableWriter writer(words[1], written);
+  for (std::size_t run = 0; run < layout.runs; ++run) {
+    SweepRun row = runOf(layout, line ? 3 * run : run, grid);
+    if (line) {
+      row.values.resize(1);
+      row.metrics.resize(1);
+      row.curves.clear();
+    }
+    writer.append(row);
+  }
   writer.finish(false);
 }
