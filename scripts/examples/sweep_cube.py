@@ -4,7 +4,7 @@
     /usr/bin/python3 scripts/examples/sweep_cube.py sweep.h5 [QUANTITY]
 
 Needs python3-xarray, python3-pandas and python3-netcdf4 or python3-h5netcdf. A cube fits grids; sampled designs
-(random, Latin hypercube, Sobol) stay a table: `xarray.open_dataset("sweep.h5").to_dataframe()`.
+(random, Latin hypercube, Sobol) stay a table: `xarray.load_dataset("sweep.h5")`.
 """
 import sys
 
@@ -13,7 +13,7 @@ import xarray as xr
 
 def sweep_cube(path, **engine):
     """The runs of a grid over their axes, pipeline and, where there are several, repeat."""
-    runs = xr.open_dataset(path, **engine)
+    runs = xr.load_dataset(path, **engine)
     axes = [name for name, column in runs.coords.items() if "path" in column.attrs]
     keys = axes + ["pipeline"] + (["repeat"] if len(set(runs.repeat.values)) > 1 else [])
     keys = [key for key in keys if len(set(runs[key].values)) > 1]

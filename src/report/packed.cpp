@@ -41,16 +41,18 @@ PageJson packedCodes(const std::vector<std::size_t>& codes) {
   return {{"u16", base64(bytes)}};
 }
 
-PageJson packedTexts(const std::vector<std::string>& texts) {
+PageJson packedTexts(const std::vector<std::string>& all, const std::vector<std::size_t>& runs) {
+  std::set<std::string> wanted;
+  for (const std::size_t run : runs) wanted.insert(all[run]);
   std::map<std::string, std::size_t> places;
   PageJson values = PageJson::array();
-  std::vector<std::size_t> codes;
-  codes.reserve(texts.size());
-  for (const std::string& text : texts) {
-    const auto [place, added] = places.emplace(text, places.size());
-    if (added) values.push_back(text);
-    codes.push_back(place->second);
+  for (std::size_t run = 0; run < all.size() && places.size() < wanted.size(); ++run) {
+    if (wanted.contains(all[run]) && places.emplace(all[run], places.size()).second)
+      values.push_back(all[run]);
   }
+  std::vector<std::size_t> codes;
+  codes.reserve(runs.size());
+  for (const std::size_t run : runs) codes.push_back(places.at(all[run]));
   return {{"values", values}, {"codes", packedCodes(codes)}};
 }
 

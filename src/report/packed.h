@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -14,9 +15,9 @@ PageJson packedNumbers(const std::vector<double>& numbers);
 /// Numbers from 0 to 65535, two bytes each: {u16: base64}.
 PageJson packedCodes(const std::vector<std::size_t>& codes);
 
-/// Texts by their places among the different ones, which keep the order of their first appearance:
-/// {values: [text], codes: {u16}}.
-PageJson packedTexts(const std::vector<std::string>& texts);
+/// The texts of some runs by their places among the different ones of all, which keep the order of their
+/// first appearance: {values: [text], codes: {u16}}. Texts that none of `runs` has are left out.
+PageJson packedTexts(const std::vector<std::string>& all, const std::vector<std::size_t>& runs);
 
 /// The same of numbers, ascending: {values: [number], codes: {u16}}; null where more than `most` differ.
 PageJson packedLevels(const std::vector<double>& numbers, std::size_t most);

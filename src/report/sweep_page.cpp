@@ -56,7 +56,7 @@ PageJson axesJson(const SweepTable& table, const std::vector<std::size_t>& runs)
       else
         json["levels"] = levels;
     } else {
-      json["levels"] = packedTexts(picked(table.texts(axis.name), runs));
+      json["levels"] = packedTexts(table.texts(axis.name), runs);
     }
     axes.push_back(json);
   }
@@ -131,7 +131,7 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
   const std::vector<std::size_t> runs =
       shownRuns(table.runs(), std::min(most_runs, std::max<std::size_t>(100, most_numbers / columns)));
   const SweepEnds ends = sweepEnds(table);
-  const PageJson packed_pipelines = packedTexts(picked(ends.pipelines, runs));
+  const PageJson packed_pipelines = packedTexts(ends.pipelines, runs);
   const bool all = runs.size() == table.runs();
   PageJson page = {{"kind", "sweep"},
                    {"title", layout.title},
@@ -147,9 +147,9 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
                    {"point", packedNumbers(picked(table.numbers("point"), runs))},
                    {"repeat", packedNumbers(picked(table.numbers("repeat"), runs))},
                    {"pipeline", packed_pipelines},
-                   {"status", packedTexts(picked(ends.status, runs))},
-                   {"detail", packedTexts(picked(table.texts("status_detail"), runs))},
-                   {"files", packedTexts(picked(table.texts("file"), runs))},
+                   {"status", packedTexts(ends.status, runs)},
+                   {"detail", packedTexts(table.texts("status_detail"), runs)},
+                   {"files", packedTexts(table.texts("file"), runs)},
                    {"axes", axesJson(table, runs)},
                    {"metrics", metricsJson(table, runs)},
                    {"failures", failuresJson(ends)},

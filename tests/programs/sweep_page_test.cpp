@@ -18,9 +18,9 @@ TEST(SweepInfo, SaysWhatWasSwept) {
   writeSampleSweep(folder / "sweep.h5", sampleSweep(20, 4), false);
   const Outcome text = runFissure(folder, {"info", "sweep.h5"});
   EXPECT_EQ(text.code, 0) << text.err;
-  for (const char* words : {"fissure-sweep, version 1, not complete", "20 runs, design grid",
-                            "default   non_finite     1", "k      force.hc.k              5",
-                            "max_penetration_depth_m (m)", "force (N), 4 instants, each law"})
+  for (const char* words :
+       {"fissure-sweep, version 1, not complete", "20 runs, design grid", "default   non_finite     1",
+        "k      force.hc.k              5", "max_penetration_depth_m (m)", "force (N), 4 instants, each law"})
     EXPECT_TRUE(has(text.out, words)) << words << "\n" << text.out;
   const Outcome machine = runFissure(folder, {"info", "sweep.h5", "--json"});
   const auto json = nlohmann::json::parse(machine.out);

@@ -64,9 +64,9 @@ TEST(Packed, NumbersAndCodesReadBack) {
   EXPECT_EQ(packedNumbers({2, 2}).dump(), R"({"same":2.0})");
   EXPECT_EQ(packedNumbers({missing, missing}).dump(), R"({"same":null})");
   EXPECT_EQ(codesOf(packedCodes({0, 1, 65535, 258})), (std::vector<unsigned>{0, 1, 65535, 258}));
-  const PageJson texts = packedTexts({"b", "a", "b"});
+  const PageJson texts = packedTexts({"c", "b", "a", "b"}, {2, 3});
   EXPECT_EQ(texts.at("values").dump(), R"(["b","a"])");
-  EXPECT_EQ(codesOf(texts.at("codes")), (std::vector<unsigned>{0, 1, 0}));
+  EXPECT_EQ(codesOf(texts.at("codes")), (std::vector<unsigned>{1, 0}));
   const PageJson levels = packedLevels({3, 1, 3}, 2);
   EXPECT_EQ(levels.at("values").dump(), "[1.0,3.0]");
   EXPECT_EQ(codesOf(levels.at("codes")), (std::vector<unsigned>{1, 0, 1}));

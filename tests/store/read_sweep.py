@@ -73,7 +73,7 @@ def check_cube(engine):
     assert {"k", "n", "pipeline"} >= set(values.dims) >= {"k", "pipeline"}, values.dims
     one = values.sel(k=300, pipeline="full")
     assert (one.sel(n=1.1) if "n" in one.dims else one).item() == (15 / 1000 if "n" in one.dims else 5 / 1000)
-    table = xr.open_dataset(PATH, **engine)
+    table = xr.load_dataset(PATH, **engine)
     good = table.sel(run=table.status == "ok").max_penetration_depth_m.groupby("pipeline").max()
     assert good.sel(pipeline="default") == (RUN[(RUN % 7 != 3) & (RUN % 2 == 0)].max() / 1000)
     by_hand = table.drop_vars(["point", "repeat"]).set_index(run=["k", "n", "pipeline"]).unstack("run")
