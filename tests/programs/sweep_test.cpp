@@ -169,6 +169,23 @@ TEST(Sweep, ADryRunWritesNothing) {
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"press.yaml", "s.yaml"}));
 }
 
+TEST(Sweep, ShippedSweepsCanBeRun) {
+  const std::map<std::string, std::string> plans = {
+      {"hunt_crossley", "10000 points x 1 pipeline = 10000 runs in 1 simulation\n"},
+      {"speed_thickness", "35 points x 3 pipelines = 105 runs in 105 simulations\n"},
+      {"nodes_mesh", "22 points x 1 pipeline x 2 repeats = 44 runs in 44 simulations\n"},
+      {"fit_liver", "475 points x 1 pipeline = 475 runs in 1 simulation\n"}};
+  std::size_t found = 0;
+  for (const auto& entry : fs::directory_iterator(FISSURE_SOURCE_DIR "/configs/sweeps")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Outcome outcome = runFissure(Folder(), {"sweep", entry.path().string(), "--dry-run"});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_NE(outcome.out.find(plans.at(entry.path().stem())), std::string::npos) << outcome.out;
+    ++found;
+  }
+  EXPECT_EQ(found, plans.size());
+}
+
 struct BadSweep {
   const char* name;
   std::string text;     ///< below the head, with "axes: "
