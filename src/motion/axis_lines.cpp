@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "base/error.h"
-#include "motion/log_text.h"
+#include "scenario/log_text.h"
 
 namespace fissure {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/log_table.h"
+#include "scenario/log_table.h"
 
 namespace fissure {
 

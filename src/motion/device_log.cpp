@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "motion/axis_lines.h"
-#include "motion/delimited_text.h"
+#include "scenario/delimited_text.h"
 #include "scenario/scalars.h"
 
 namespace fissure {

@@ -37,6 +37,8 @@ TEST(LogText, ToleratesWhatRealLogsHave) {
       "\" t \", \"x\" ,y ,\tz\n5, 1 ,\"-1\",10\n5.1,2,-2,20\n5.2,3,-3,30");  // quotes, padding
   expectTheThreeSamples(
       "t,x,y,z\n\n5,1,-1,10\n5.1,+2,-2.0e0,2E1\n  \n5.2,3,-3,30\n\n\n");  // empty lines, forms
+  expectTheThreeSamples(
+      "# probe 1, by hand\nt,x,y,z\n5,1,-1,10\n5.1,2,-2,20\n# paused\n5.2,3,-3,30\n");  // comments
 }
 
 TEST(LogText, ColumnsAreFoundByNameInAnyOrderAndOthersMayHoldText) {
@@ -62,10 +64,11 @@ TEST(LogText, MissingAndUselessFilesAreNamed) {
   ReplayMotion settings = timed();
   settings.file = "no/such/log.csv";
   tool.motion = settings;
-  EXPECT_EQ(inputError([&] { makeMotion(tool, "here"); }), "log.csv: no such file, expected a log");
+  EXPECT_EQ(inputError([&] { makeMotion(tool, "here"); }),
+            "log.csv: no such file, expected a text file of numbers");
   settings.file = ".";
   tool.motion = settings;
-  EXPECT_EQ(inputError([&] { makeMotion(tool, "/"); }), "/.: is a folder, expected a log");
+  EXPECT_EQ(inputError([&] { makeMotion(tool, "/"); }), "/.: is a folder, expected a text file of numbers");
   EXPECT_EQ(playError("", timed()), "log.csv: is empty, expected a header line of column names");
   EXPECT_EQ(playError("\n1,2,3,4\n", timed()),
             "log.csv:1: an empty line, expected a header line of column names");
@@ -93,6 +96,8 @@ TEST(LogText, MissingColumnsAreNamedWithWhatThereIs) {
       "log.csv:1: no column \"qw\" in the header (it has x, y, z, qx, qy, qz, q), did you mean \"qx\"?");
   EXPECT_EQ(playError("t,x,y,x,z\n0,1,2,3,4\n", timed()),
             "log.csv:1: two columns are called \"x\", expected one");
+  EXPECT_EQ(playError("# a comment\nt,x,y,x,z\n0,1,2,3,4\n", timed()),
+            "log.csv:2: two columns are called \"x\", expected one");
 }
 
 TEST(LogText, TextInANeededCellIsAnErrorWithItsLine) {

@@ -1,11 +1,11 @@
-#include "motion/delimited_text.h"
+#include "scenario/delimited_text.h"
 
 #include <algorithm>
 #include <limits>
 
 #include "base/error.h"
-#include "motion/log_text.h"
 #include "scenario/did_you_mean.h"
+#include "scenario/log_text.h"
 
 namespace fissure {
 namespace {
@@ -31,6 +31,7 @@ DelimitedText::DelimitedText(const std::filesystem::path& file)
     : file_(file.string()), text_(readLogText(file)) {
   std::string_view header;
   if (!takeLine(header)) throw InputError(file_ + ": is empty, expected a header line of column names");
+  header_line_ = line_;
   delimiter_ = findDelimiter(header);
   splitCells(header, delimiter_, cells_);
   for (const std::string_view name : cells_) names_.emplace_back(name);
@@ -40,9 +41,9 @@ DelimitedText::DelimitedText(const std::filesystem::path& file)
 
 std::size_t DelimitedText::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) throw InputError(file_, 1, missingColumn(name, names_));
+  if (found == names_.end()) throw InputError(file_, header_line_, missingColumn(name, names_));
   if (std::find(found + 1, names_.end(), name) != names_.end())
-    throw InputError(file_, 1, "two columns are called \"" + name + "\", expected one");
+    throw InputError(file_, header_line_, "two columns are called \"" + name + "\", expected one");
   return static_cast<std::size_t>(found - names_.begin());
 }
 
@@ -62,14 +63,20 @@ bool DelimitedText::next() {
   return true;
 }
 
+std::string_view DelimitedText::text(std::size_t column) const {
+  return column < cells_.size() ? cells_[column] : std::string_view();
+}
+
 double DelimitedText::number(std::size_t column) const {
   if (column >= cells_.size()) return std::numeric_limits<double>::quiet_NaN();
   return logNumber(cells_[column], file_, line_, "column \"" + names_[column] + "\"");
 }
 
 bool DelimitedText::takeLine(std::string_view& line) {
-  if (!takeLogLine(text_, position_, line)) return false;
-  ++line_;
+  do {
+    if (!takeLogLine(text_, position_, line)) return false;
+    ++line_;
+  } while (line.starts_with('#'));
   return true;
 }
 

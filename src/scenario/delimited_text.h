@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "motion/log_table.h"
+#include "scenario/log_table.h"
 
 namespace fissure {
 
 /// Reads the numbers of a text file with one header line of column names and one row a line. Cells are
 /// divided by what the header divides its names with: commas, semicolons, tabs (the most frequent of them) or
 /// else runs of blanks. Tolerated: a UTF-8 byte order mark, CRLF, names and cells in double quotes or padded
-/// with blanks, a trailing delimiter, rows shorter than the header, empty lines. Refused: rows with more
-/// cells than names.
+/// with blanks, a trailing delimiter, rows shorter than the header, empty lines, comments (lines that begin
+/// with #). Refused: rows with more cells than names.
 class DelimitedText : public LogTable {
  public:
   /// Reads the file and its header. Throws InputError when it is missing, unreadable, empty or binary.
@@ -32,6 +32,12 @@ class DelimitedText : public LogTable {
   /// The cell of this row in a column; NaN where it is empty or absent. Numbers have a decimal point, in
   /// every locale. Throws InputError with the line when it holds anything else.
   double number(std::size_t column) const override;
+  /// The cell as it stands, without quotes; empty where it is absent. Until the next row.
+  std::string_view text(std::size_t column) const;
+
+  /// Of the header, in its order.
+  const std::vector<std::string>& names() const { return names_; }
+  int headerLine() const { return header_line_; }
 
   /// Of this row, from 1.
   int line() const override { return line_; }
@@ -44,6 +50,7 @@ class DelimitedText : public LogTable {
   std::string text_;
   std::size_t position_ = 0;
   int line_ = 0;
+  int header_line_ = 0;
   char delimiter_ = ' ';
   std::vector<std::string> names_;
   std::vector<std::string_view> cells_;  ///< of this row, into text_

@@ -1,4 +1,4 @@
-#include "motion/log_text.h"
+#include "scenario/log_text.h"
 
 #include <algorithm>
 #include <array>
@@ -17,9 +17,9 @@ constexpr std::string_view blanks = " \t";
 std::string readAll(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw InputError(file.string() + ": no such file, expected a log");
+    throw InputError(file.string() + ": no such file, expected a text file of numbers");
   if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string() + ": is a folder, expected a log");
+    throw InputError(file.string() + ": is a folder, expected a text file of numbers");
   std::ifstream in(file, std::ios::binary);
   std::string text;
   std::vector<char> block(1 << 20);
