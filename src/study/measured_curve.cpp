@@ -1,0 +1,322 @@
+#include "study/measured_curve.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "base/error.h"
+#include "scenario/delimited_text.h"
+#include "scenario/log_text.h"
+#include "scenario/scalars.h"
+
+namespace fissure {
+
+namespace {
+
+struct RoleInfo {
+  CurveRole role;
+  std::string_view name;
+  std::vector<std::string_view> stems;  ///< names of columns that are found without being named
+  std::map<std::string_view, double> units;
+};
+
+const std::array<RoleInfo, 6>& roles() {
+  static const std::array<RoleInfo, 6> all = {
+      {{CurveRole::depth, "depth", {"depth"}, {{"m", 1}, {"mm", 1e-3}}},
+       {CurveRole::force, "force", {"force"}, {{"N", 1}, {"mN", 1e-3}}},
+       {CurveRole::time, "time", {"time", "t"}, {{"s", 1}, {"ms", 1e-3}}},
+       {CurveRole::sigma, "sigma", {"sigma"}, {{"N", 1}, {"mN", 1e-3}}},
+       {CurveRole::weight, "weight", {"weight"}, {}},
+       {CurveRole::curve, "curve", {"curve", "probe"}, {}}}};
+  return all;
+}
+
+const RoleInfo& infoOf(CurveRole role) {
+  return *std::find_if(roles().begin(), roles().end(),
+                       [&](const RoleInfo& info) { return info.role == role; });
+}
+
+std::string unitsOf(const RoleInfo& info) {
+  std::string text;
+  for (const auto& [unit, factor] : info.units) text += (text.empty() ? "" : " or ") + std::string(unit);
+  return text;
+}
+
+struct NameParts {
+  std::string_view stem, unit;
+};
+
+/// "depth_mm", "depth [mm]", "depth(mm)", "depth mm": a name and its unit, as far as it is one of these.
+NameParts partsOf(std::string_view name, const RoleInfo& info) {
+  std::string_view end = name;
+  if (end.ends_with(']') || end.ends_with(')')) end.remove_suffix(1);
+  for (const auto& [unit, factor] : info.units) {
+    if (end.size() <= unit.size() || !end.ends_with(unit)) continue;
+    const std::string_view rest = end.substr(0, end.size() - unit.size());
+    const std::size_t stem_end = rest.find_last_not_of(" _[(");
+    if (stem_end + 1 == rest.size() || stem_end == std::string_view::npos) continue;
+    return {rest.substr(0, stem_end + 1), unit};
+  }
+  return {name, {}};
+}
+
+std::optional<double> factorOf(const std::string& text, const RoleInfo& info) {
+  const auto unit = info.units.find(text);
+  if (unit != info.units.end()) return unit->second;
+  const std::optional<double> number = toReal(text);
+  return number && *number != 0 && !info.units.empty() ? number : std::nullopt;
+}
+
+CurveColumn parseColumn(const std::string& item) {
+  const std::size_t equals = item.find('=');
+  const auto role = std::find_if(roles().begin(), roles().end(),
+                                 [&](const RoleInfo& info) { return info.name == item.substr(0, equals); });
+  if (equals == std::string::npos || equals + 1 == item.size() || role == roles().end())
+    throw InputError("--columns " + item +
+                     ": expected ROLE=COLUMN[:UNIT] with a role of depth, force, time, sigma, weight, curve");
+  CurveColumn column{role->role, item.substr(equals + 1), std::nullopt};
+  const std::size_t colon = column.column.rfind(':');
+  if (colon == std::string::npos) return column;
+  const std::string unit = column.column.substr(colon + 1);
+  column.to_si = factorOf(unit, *role);
+  if (!column.to_si)
+    throw InputError("--columns " + item + ": \"" + unit + "\" is no unit of a " + std::string(role->name) +
+                     ", expected " + (role->units.empty() ? "none" : unitsOf(*role) + " or a factor"));
+  column.column.resize(colon);
+  return column;
+}
+
+/// Takes a file row by row.
+class CurveReader {
+ public:
+  CurveReader(const std::filesystem::path& file, const std::vector<CurveColumn>& columns)
+      : table_(file), stem_(file.stem().string()) {
+    for (const CurveColumn& column : columns) {
+      if (places_.contains(column.role))
+        throw InputError("--columns: two columns for " + std::string(infoOf(column.role).name) +
+                         ", expected one");
+      use(infoOf(column.role), find(column.column), column.to_si);
+    }
+    for (const RoleInfo& info : roles())
+      if (!places_.contains(info.role)) findByName(info);
+    if (places_.contains(CurveRole::sigma) && places_.contains(CurveRole::weight))
+      throw fileError("both a sigma and a weight", "one of them");
+    if (!places_.contains(CurveRole::force)) throw fileError("no column of forces", missing("force=F:N"));
+    if (!places_.contains(CurveRole::depth) && !places_.contains(CurveRole::time))
+      throw fileError("neither depths nor times", missing("depth=d:mm"));
+  }
+
+  std::vector<MeasuredCurve> read() {
+    bool rows = false;
+    for (; table_.next(); rows = true) takeRow();
+    if (!rows) throw fileError("only a header line", "rows below it");
+    std::vector<MeasuredCurve> measured;
+    for (MeasuredCurve& curve : curves_) {
+      if (places_.contains(CurveRole::time) && !curve.depth_m.empty())
+        curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
+      if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
+      if (curve.force_N.empty())
+        throw InputError(table_.fileName() + ": no row of curve " + curve.name +
+                         " is a point of contact, expected numbers and depths >= 0 (is the "
+                         "depth's sign turned? a factor of -0.001 makes it metres)");
+      warn(curve);
+      measured.push_back(std::move(curve));
+    }
+    return measured;
+  }
+
+ private:
+  struct Place {
+    std::size_t column = 0;
+    double to_si = 1;
+  };
+
+  InputError fileError(const std::string& what, const std::string& expected) const {
+    return {table_.fileName(), table_.headerLine(), what + ", expected " + expected};
+  }
+
+  std::string missing(const std::string& example) const {
+    std::string names;
+    for (const std::string& name : table_.names()) names += (names.empty() ? "" : ", ") + logExcerpt(name);
+    return "--columns " + example + " to say which it is of " + names;
+  }
+
+  std::size_t find(const std::string& column) const {
+    const std::vector<std::string>& names = table_.names();
+    std::size_t number = 0;
+    const auto [end, error] = std::from_chars(column.data(), column.data() + column.size(), number);
+    const bool is_number = error == std::errc() && end == column.data() + column.size();
+    if (!is_number || std::find(names.begin(), names.end(), column) != names.end())
+      return table_.column(column);
+    if (number < 1 || number > names.size())
+      throw fileError("no column " + column, "a number from 1 to " + std::to_string(names.size()));
+    return number - 1;
+  }
+
+  void use(const RoleInfo& info, std::size_t column, std::optional<double> to_si) {
+    const std::string& name = table_.names()[column];
+    const std::string_view unit = partsOf(name, info).unit;
+    if (!to_si && !info.units.empty()) {
+      if (unit.empty())
+        throw fileError("column \"" + logExcerpt(name) + "\" has no unit of a " + std::string(info.name),
+                        "it in the name, or after a colon: " + std::string(info.name) + "=" +
+                            logExcerpt(name) + ":" + std::string(info.units.begin()->first));
+      to_si = info.units.at(unit);
+    }
+    places_[info.role] = {column, to_si.value_or(1)};
+  }
+
+  void findByName(const RoleInfo& info) {
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < table_.names().size(); ++i) {
+      std::string stem(partsOf(table_.names()[i], info).stem);
+      std::transform(stem.begin(), stem.end(), stem.begin(),
+                     [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+      if (std::find(info.stems.begin(), info.stems.end(), stem) != info.stems.end()) found.push_back(i);
+    }
+    if (found.size() > 1)
+      throw fileError(std::to_string(found.size()) + " columns may be the " + std::string(info.name),
+                      "--columns to choose one");
+    if (!found.empty()) use(info, found.front(), std::nullopt);
+  }
+
+  double number(CurveRole role) const {
+    const auto place = places_.find(role);
+    if (place == places_.end()) return 0;
+    const double value = table_.number(place->second.column);
+    if (std::isinf(value))
+      throw InputError(
+          table_.fileName(), table_.line(),
+          "an infinite " + std::string(infoOf(role).name) + ", expected a number like 0.0125 or nothing");
+    return value * place->second.to_si;
+  }
+
+  MeasuredCurve& curveOfRow() {
+    const auto place = places_.find(CurveRole::curve);
+    const std::string name =
+        place == places_.end() ? stem_ : stem_ + ":" + std::string(table_.text(place->second.column));
+    const auto [entry, is_new] = index_.try_emplace(name, curves_.size());
+    if (is_new) curves_.emplace_back().name = name;
+    return curves_[entry->second];
+  }
+
+  double weightOfRow() const {
+    if (places_.contains(CurveRole::weight)) {
+      const double weight = number(CurveRole::weight);
+      if (weight < 0) throw InputError(table_.fileName(), table_.line(), "a weight below 0, expected >= 0");
+      return weight;
+    }
+    if (!places_.contains(CurveRole::sigma)) return 1;
+    const double sigma_N = number(CurveRole::sigma);
+    if (sigma_N <= 0)
+      throw InputError(table_.fileName(), table_.line(), "a sigma of 0 or less, expected > 0");
+    return 1 / (sigma_N * sigma_N);
+  }
+
+  void takeRow() {
+    MeasuredCurve& curve = curveOfRow();
+    const double depth_m = number(CurveRole::depth), force_N = number(CurveRole::force),
+                 time_s = number(CurveRole::time), weight = weightOfRow();
+    if (std::isnan(depth_m) || std::isnan(force_N) || std::isnan(time_s) || !(weight > 0)) {
+      ++curve.rows_without_numbers;
+      return;
+    }
+    if (!curve.time_s.empty() && time_s < curve.time_s.back())
+      throw InputError(table_.fileName(), table_.line(), "the time goes back, expected times in order");
+    if (places_.contains(CurveRole::depth)) curve.depth_m.push_back(depth_m);
+    if (places_.contains(CurveRole::time)) curve.time_s.push_back(time_s);
+    curve.force_N.push_back(force_N);
+    curve.weights.push_back(weight);
+  }
+
+  static void leaveOutBeforeContact(MeasuredCurve& curve) {
+    const std::vector<double> depth_m = curve.depth_m;
+    for (std::vector<double>* values :
+         {&curve.depth_m, &curve.force_N, &curve.time_s, &curve.rate_m_s, &curve.weights}) {
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < values->size(); ++i)
+        if (depth_m[i] >= 0) (*values)[kept++] = (*values)[i];
+      values->resize(kept);
+    }
+    curve.rows_before_contact = depth_m.size() - curve.depth_m.size();
+  }
+
+  static void warnOutside(double value, double least, double most, const std::string& what,
+                          const std::string& unit, MeasuredCurve& curve) {
+    if (value >= least && value <= most) return;
+    curve.warnings.push_back("the largest " + what + " is " + formatReal(value) + " " + unit +
+                             ", usual are " + formatReal(least) + " to " + formatReal(most) + " " + unit +
+                             ": is its unit right?");
+  }
+
+  // Probing of organs with tools: beyond these limits a unit is more often wrong by 1000 than a value is
+  // right.
+  static void warn(MeasuredCurve& curve) {
+    double force_N = 0;
+    for (const double force : curve.force_N) force_N = std::max(force_N, std::abs(force));
+    warnOutside(force_N, 2e-3, 100, "force", "N", curve);
+    if (curve.depth_m.empty()) return;
+    warnOutside(*std::max_element(curve.depth_m.begin(), curve.depth_m.end()), 5e-5, 0.2, "depth", "m",
+                curve);
+    double rate_m_s = 0;
+    for (const double rate : curve.rate_m_s) rate_m_s = std::max(rate_m_s, std::abs(rate));
+    warnOutside(rate_m_s, 0, 5, "rate", "m/s", curve);
+  }
+
+  DelimitedText table_;
+  std::string stem_;
+  std::map<CurveRole, Place> places_;
+  std::map<std::string, std::size_t> index_;
+  std::vector<MeasuredCurve> curves_;
+};
+
+}  // namespace
+
+std::vector<CurveColumn> parseCurveColumns(const std::string& text) {
+  std::vector<CurveColumn> columns;
+  for (std::size_t start = 0; start <= text.size();) {
+    const std::size_t end = std::min(text.find(',', start), text.size());
+    columns.push_back(parseColumn(text.substr(start, end - start)));
+    start = end + 1;
+  }
+  return columns;
+}
+
+std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
+                                      const std::vector<CurveColumn>& columns) {
+  return CurveReader(file, columns).read();
+}
+
+std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m) {
+  std::vector<double> times, depths;
+  std::vector<std::size_t> counts, at;  // points of a time; index of each point's time
+  for (std::size_t i = 0; i < time_s.size(); ++i) {
+    if (times.empty() || time_s[i] > times.back()) {
+      times.push_back(time_s[i]);
+      depths.push_back(0);
+      counts.push_back(0);
+    }
+    depths.back() += depth_m[i];
+    ++counts.back();
+    at.push_back(times.size() - 1);
+  }
+  for (std::size_t i = 0; i < times.size(); ++i) depths[i] /= static_cast<double>(counts[i]);
+  std::vector<double> rates(times.size(), 0), all;
+  for (std::size_t i = 0; i < times.size() && times.size() > 1; ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, times.size() - 1);
+    const double left_s = times[i] - times[before], right_s = times[after] - times[i];
+    const double left = left_s > 0 ? (depths[i] - depths[before]) / left_s : 0;
+    const double right = right_s > 0 ? (depths[after] - depths[i]) / right_s : 0;
+    rates[i] = (left * right_s + right * left_s) / (left_s + right_s);
+    if (i == before) rates[i] = right;
+    if (i == after) rates[i] = left;
+  }
+  all.reserve(at.size());
+  for (const std::size_t i : at) all.push_back(rates[i]);
+  return all;
+}
+
+}  // namespace fissure

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace fissure {
+
+/// What a column of a file of measured curves means.
+enum class CurveRole { depth, force, time, sigma, weight, curve };
+
+/// Where one of them is found.
+struct CurveColumn {
+  CurveRole role = CurveRole::depth;
+  std::string column;           ///< its name, or its number from 1
+  std::optional<double> to_si;  ///< factor to m, N, s; without one the column's name must end in a unit
+};
+
+/// Reads "depth=d_mm,force=F:mN,time=3:s,curve=probe": for each role a column by name, or by number where no
+/// name is the same, and after a colon its unit (m, mm, N, mN, s, ms) or a factor to m, N or s. Throws
+/// InputError.
+std::vector<CurveColumn> parseCurveColumns(const std::string& text);
+
+/// One measured curve, in SI units: one value a point, or none where there is no such column.
+struct MeasuredCurve {
+  std::string name;             ///< of the file, and of the curve where a column names it
+  std::vector<double> depth_m;  ///< into the tissue, >= 0
+  std::vector<double> force_N;
+  std::vector<double> time_s;    ///< never goes back
+  std::vector<double> rate_m_s;  ///< of the depth, by ratesOf() over all rows with numbers
+  std::vector<double> weights;   ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
+
+  std::size_t rows_without_numbers = 0;  ///< left out: an empty cell, NaN, weight 0
+  std::size_t rows_before_contact = 0;   ///< left out: a negative depth
+  std::vector<std::string> warnings;     ///< values so large or small that a unit may be wrong
+};
+
+/// The curves of a file (see DelimitedText), in the order of their first rows. `columns` without a depth,
+/// force, time, sigma, weight or curve are found by name: "depth", "force", "time" or "t", "sigma",
+/// "weight", "curve" or "probe", followed by a unit as in "depth_mm", "depth [mm]". A force and a depth or a
+/// time are needed. Throws InputError with file and line.
+std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
+                                      const std::vector<CurveColumn>& columns);
+
+/// Rate of the depth, m/s: the slope of the parabola through a point and its neighbours in time, a mean of
+/// the slopes to both, so that it never lies outside them: depths that only grow have no negative rate. At
+/// both ends the slope to the neighbour. Points of equal time count as one, with their mean depth.
+std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m);
+
+}  // namespace fissure
