@@ -56,6 +56,7 @@ int start(int argc, char** argv) {
                                    addRender(app),
                                    addReport(app),
                                    addExport(app),
+                                   addFit(app),
                                    addSalvage(app, command_line)};
   try {
     app.parse(argc, argv);

@@ -29,5 +29,6 @@ Verb addRender(CLI::App& app);
 Verb addReport(CLI::App& app);
 Verb addSalvage(CLI::App& app, const std::string& command_line);
 Verb addExport(CLI::App& app);
+Verb addFit(CLI::App& app);
 
 }  // namespace fissure

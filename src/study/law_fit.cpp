@@ -45,7 +45,7 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
     throw InputError("the data does not say what " + namesOf(problem.free()) + " are (singular value ratio " +
-                     shortNumber(intervals.singularValueRatio()) +
+                     fourDigits(intervals.singularValueRatio()) +
                      "), expected other depths, or fewer of them free");
   LawFit fit;
   for (auto& row : fit.correlation) row.fill(kNone);
@@ -59,6 +59,9 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
     for (const FitParameter b : problem.free())
       fit.correlation[index(a)][index(b)] = a == b ? 1 : intervals.correlation(a, b);
   }
+  const bool share = fit.of(FitParameter::lambda).free && data.model.law() == FitLaw::hunt_crossley;
+  fit.lambda_over_k_s_m = share ? problem.viscousShare_s_m(values) : kNone;
+  fit.lambda_over_k_half_width_s_m = share ? intervals.halfWidthOfViscousShare_s_m() : kNone;
   fit.points = static_cast<std::size_t>(problem.points());
   fit.free_count = static_cast<int>(problem.free().size());
   fit.rms_N = std::sqrt(best.sum_of_squares / static_cast<double>(fit.points));
@@ -81,14 +84,14 @@ struct LambdaVerdict {
 LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    return {"k and lambda do the same (singular value ratio " + shortNumber(intervals.singularValueRatio()) +
+    return {"k and lambda do the same (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
                 "), as where all rates are the same",
             true};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
   if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
-  return {"the 95 % interval of lambda/k, " + shortNumber(share - half_width) + " to " +
-              shortNumber(share + half_width) + " s/m, is wider than +-0.1 s/m and than half its value",
+  return {"the 95 % interval of lambda/k, " + fourDigits(share - half_width) + " to " +
+              fourDigits(share + half_width) + " s/m, is wider than +-0.1 s/m and than half its value",
           std::abs(share) <= half_width};
 }
 
@@ -107,15 +110,15 @@ void judgeOthers(const FitData& data, LawFit& fit) {
       const std::string why =
           "the force hardly changes with the depth: a constant one fits as well (F test, "
           "p = " +
-          shortNumber(chance) + ")";
+          fourDigits(chance) + ")";
       hardly(why, fit.values[index(FitParameter::k)]);
       hardly(why, fit.values[index(FitParameter::n)]);
     }
   }
   FittedValue& n = fit.values[index(FitParameter::n)];
   if (n.low <= least_exponent || n.high >= largest_exponent)
-    hardly("its 95 % interval reaches the limit of what is searched, " + shortNumber(least_exponent) +
-               " to " + shortNumber(largest_exponent),
+    hardly("its 95 % interval reaches the limit of what is searched, " + fourDigits(least_exponent) + " to " +
+               fourDigits(largest_exponent),
            n);
   for (FittedValue& value : fit.values)
     if (value.free && (!std::isfinite(value.low) || !std::isfinite(value.high)))
@@ -129,7 +132,7 @@ void addNotes(LawFit& fit) {
                           " cannot be identified from this data: " + fit.values[i].problem);
   if (fit.points >= 20 && fit.next_correlation > 0.5)
     fit.notes.push_back("residuals of neighbouring points are alike (correlation " +
-                        shortNumber(fit.next_correlation) +
+                        fourDigits(fit.next_correlation) +
                         "): the law or the data is off by more than noise, the intervals are too narrow");
   if (!fit.converged) fit.notes.emplace_back("the search for the least squares has not converged");
 }
@@ -162,7 +165,7 @@ LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<
   std::string& of_lambda = problems[index(FitParameter::lambda)];
   std::string& of_n = problems[index(FitParameter::n)];
   if (lambda_free && !(model.rateScale_m_s() > 0)) {
-    of_lambda = "there is no rate of the depth in it; it is fixed at " + shortNumber(used.fixed.lambda);
+    of_lambda = "there is no rate of the depth in it; it is fixed at " + fourDigits(used.fixed.lambda);
     lambda_free = false;
   }
   for (;;) {

@@ -30,6 +30,9 @@ struct LawFit {
   std::array<FittedValue, kFitParameters> values;  ///< by FitParameter
   /// Of free ones, k by its logarithm; NaN for others.
   std::array<std::array<double, kFitParameters>, kFitParameters> correlation{};
+  /// lambda/k and half its 95 % interval, s/m, by the standard error; NaN but where both are fitted by
+  /// hunt_crossley.
+  double lambda_over_k_s_m = 0, lambda_over_k_half_width_s_m = 0;
   std::size_t points = 0;
   int free_count = 0;
   double rms_N = 0;                 ///< root of the (weighted) mean square of the residuals

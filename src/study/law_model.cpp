@@ -13,18 +13,6 @@ namespace fissure {
 
 namespace {
 
-std::unique_ptr<ForceLaw> makeLaw(FitLaw law, const LawValues& values) {
-  switch (law) {
-    case FitLaw::kelvin_voigt:
-      return makeKelvinVoigt(values.k, values.lambda);
-    case FitLaw::linear_elastic:
-      return makeLinearElastic(values.k);
-    case FitLaw::hunt_crossley:
-      break;
-  }
-  return makeHuntCrossley(values.k, values.lambda, values.n);
-}
-
 class ProbeModel : public LawModel {
  public:
   ProbeModel(FitLaw law, const MeasuredCurve& curve)
@@ -42,7 +30,8 @@ class ProbeModel : public LawModel {
   FitLaw law() const override { return law_; }
   std::size_t size() const override { return depth_m_.size(); }
   void evaluate(const LawValues& values, std::span<double> force_N) const override {
-    const std::unique_ptr<ForceLaw> law = makeLaw(law_, values);
+    const std::unique_ptr<ForceLaw> law = makeForceLaw(
+        nameOf(law_), {.k = values.k, .lambda = values.lambda, .n = values.n, .c = values.lambda});
     for (std::size_t i = 0; i < depth_m_.size(); ++i) {
       const LawForce force = law->at(depth_m_[i], rate_m_s_[i]);
       force_N[i] = force.elastic_N + force.viscous_N;
@@ -58,6 +47,11 @@ class ProbeModel : public LawModel {
 };
 
 }  // namespace
+
+std::string nameOf(FitLaw law) {
+  constexpr std::array names = {"hunt_crossley", "kelvin_voigt", "linear_elastic"};
+  return names[static_cast<std::size_t>(law)];
+}
 
 std::string nameOf(FitParameter parameter) {
   constexpr std::array names = {"k", "lambda", "n", "F0"};
@@ -112,7 +106,7 @@ double& valueOf(LawValues& values, FitParameter parameter) {
   return values.F0_N;
 }
 
-std::string shortNumber(double value) {
+std::string fourDigits(double value) {
   std::array<char, 32> text{};
   const auto [end, error] =
       std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);

@@ -24,6 +24,8 @@ struct LawValues {
 enum class FitParameter { k, lambda, n, F0 };
 inline constexpr std::size_t kFitParameters = 4;
 
+/// A name in catalog().force_laws.
+std::string nameOf(FitLaw law);
 /// "k", "lambda", "n", "F0".
 std::string nameOf(FitParameter parameter);
 /// Unit of a law's coefficient: "N/m^n", ...
@@ -34,7 +36,7 @@ double& valueOf(LawValues& values, FitParameter parameter);
 double valueOf(const LawValues& values, FitParameter parameter);
 
 /// Four digits, for people.
-std::string shortNumber(double value);
+std::string fourDigits(double value);
 
 /// What a law gives at the points of a measurement, as a function of its coefficients.
 class LawModel {

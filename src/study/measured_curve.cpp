@@ -319,4 +319,25 @@ std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector
   return all;
 }
 
+MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
+  MeasuredCurve all;
+  all.name = std::to_string(curves.size()) + (curves.size() == 1 ? " curve" : " curves");
+  const auto append = [](const std::vector<double>& from, std::vector<double>& to) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const MeasuredCurve& curve : curves) {
+    append(curve.depth_m, all.depth_m);
+    append(curve.force_N, all.force_N);
+    append(curve.rate_m_s, all.rate_m_s);
+    append(curve.weights, all.weights);
+    all.rows_without_numbers += curve.rows_without_numbers;
+    all.rows_before_contact += curve.rows_before_contact;
+    for (const std::string& warning : curve.warnings) all.warnings.push_back(curve.name + ": " + warning);
+  }
+  if (all.depth_m.size() != all.force_N.size())
+    throw InputError("some curves have no depths, expected depths in all");
+  if (all.rate_m_s.size() != all.force_N.size()) all.rate_m_s.clear();
+  return all;
+}
+
 }  // namespace fissure

@@ -49,4 +49,8 @@ std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
 /// both ends the slope to the neighbour. Points of equal time count as one, with their mean depth.
 std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m);
 
+/// The points of all curves as one, without times; rates only where all have them. Throws InputError where
+/// some have depths and some do not.
+MeasuredCurve joined(const std::vector<MeasuredCurve>& curves);
+
 }  // namespace fissure

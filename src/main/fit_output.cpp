@@ -1,0 +1,155 @@
+#include "main/fit_output.h"
+
+#include <cmath>
+
+#include "main/text_table.h"
+
+namespace fissure {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string formulaOf(FitLaw law) {
+  switch (law) {
+    case FitLaw::kelvin_voigt:
+      return "F = F0 + k d + lambda d'";
+    case FitLaw::linear_elastic:
+      return "F = F0 + k d";
+    case FitLaw::hunt_crossley:
+      break;
+  }
+  return "F = F0 + k d^n + lambda d^n d'";
+}
+
+std::string plural(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::vector<FitParameter> parametersOf(FitLaw law) {
+  std::vector<FitParameter> parameters;
+  for (std::size_t i = 0; i < kFitParameters; ++i)
+    if (hasParameter(law, static_cast<FitParameter>(i))) parameters.push_back(static_cast<FitParameter>(i));
+  return parameters;
+}
+
+std::string intervalText(const FittedValue& value) {
+  return fourDigits(value.low) + " to " + fourDigits(value.high);
+}
+
+std::vector<std::string> notesOf(const CurveFit& fit) {
+  std::vector<std::string> notes;
+  const MeasuredCurve& curve = fit.curve;
+  if (!fit.problem.empty()) notes.push_back("not fitted: " + fit.problem);
+  if (curve.rows_without_numbers > 0)
+    notes.push_back("left out " + plural(curve.rows_without_numbers, "row") + " without numbers");
+  if (curve.rows_before_contact > 0)
+    notes.push_back("left out " + plural(curve.rows_before_contact, "row") + " before contact (depth < 0)");
+  notes.insert(notes.end(), curve.warnings.begin(), curve.warnings.end());
+  if (fit.problem.empty()) notes.insert(notes.end(), fit.fit.notes.begin(), fit.fit.notes.end());
+  return notes;
+}
+
+std::string blockText(FitLaw law, const CurveFit& fit) {
+  const LawFit& of = fit.fit;
+  std::vector<TextRow> rows = {{"", "value", "", "std error", "95 % interval", ""}};
+  for (const FitParameter parameter : parametersOf(law)) {
+    const FittedValue& value = of.of(parameter);
+    rows.push_back({"  " + nameOf(parameter), fourDigits(value.value), unitOf(law, parameter),
+                    value.free ? fourDigits(value.standard_error) : "-",
+                    value.free ? intervalText(value) : "fixed", value.profiled ? "by profile" : ""});
+  }
+  if (std::isfinite(of.lambda_over_k_s_m))
+    rows.push_back({"  lambda/k", fourDigits(of.lambda_over_k_s_m), "s/m", "",
+                    fourDigits(of.lambda_over_k_s_m - of.lambda_over_k_half_width_s_m) + " to " +
+                        fourDigits(of.lambda_over_k_s_m + of.lambda_over_k_half_width_s_m),
+                    ""});
+  return fit.curve.name + ": " + formulaOf(law) + ", " + plural(of.points, "point") + "\n" +
+         alignedText(rows, 1) + "  RMS residual " + fourDigits(of.rms_N) + " N, R2 " +
+         fourDigits(of.r_squared) + (of.converged ? "" : ", not converged") + "\n";
+}
+
+std::string tableText(FitLaw law, const std::vector<CurveFit>& fits) {
+  std::vector<TextRow> rows(1, {"curve", "points"});
+  for (const FitParameter parameter : parametersOf(law)) {
+    rows[0].push_back(nameOf(parameter) + (parameter == FitParameter::n ? "" : " " + unitOf(law, parameter)));
+    rows[0].emplace_back("95 %");
+  }
+  rows[0].insert(rows[0].end(), {"RMS N", "R2"});
+  for (const CurveFit& fit : fits) {
+    const bool fitted = fit.problem.empty();
+    TextRow& row = rows.emplace_back(TextRow{fit.curve.name, std::to_string(fit.curve.force_N.size())});
+    for (const FitParameter parameter : parametersOf(law)) {
+      const FittedValue& value = fit.fit.of(parameter);
+      row.push_back(fitted ? fourDigits(value.value) : "-");
+      row.push_back(!fitted ? "-" : value.free ? intervalText(value) : "fixed");
+    }
+    row.push_back(fitted ? fourDigits(fit.fit.rms_N) : "-");
+    row.push_back(fitted ? fourDigits(fit.fit.r_squared) : "-");
+  }
+  return formulaOf(law) + "\n" + alignedText(rows, 1);
+}
+
+Json valueJson(FitLaw law, FitParameter parameter, const FittedValue& value) {
+  Json json = {{"value", value.value}, {"unit", unitOf(law, parameter)}, {"free", value.free}};
+  if (value.free) {
+    json["standard_error"] = value.standard_error;
+    json["low"] = value.low;
+    json["high"] = value.high;
+    json["interval"] = value.profiled ? "profile" : "linear";
+  }
+  if (!value.problem.empty()) json["not_identified"] = value.problem;
+  return json;
+}
+
+Json fittedJson(FitLaw law, const LawFit& fit) {
+  Json parameters = Json::object(), correlation = Json::object();
+  for (const FitParameter parameter : parametersOf(law)) {
+    parameters[nameOf(parameter)] = valueJson(law, parameter, fit.of(parameter));
+    for (const FitParameter other : parametersOf(law))
+      if (parameter < other && fit.of(parameter).free && fit.of(other).free)
+        correlation[nameOf(parameter) + "," + nameOf(other)] =
+            fit.correlation[static_cast<std::size_t>(parameter)][static_cast<std::size_t>(other)];
+  }
+  Json json = {{"converged", fit.converged},
+               {"rms_N", fit.rms_N},
+               {"r_squared", fit.r_squared},
+               {"singular_value_ratio", fit.singular_value_ratio},
+               {"next_residual_correlation", fit.next_correlation},
+               {"parameters", parameters},
+               {"correlation", correlation}};
+  if (std::isfinite(fit.lambda_over_k_s_m)) {
+    json["lambda_over_k_s_m"] = fit.lambda_over_k_s_m;
+    json["lambda_over_k_half_width_s_m"] = fit.lambda_over_k_half_width_s_m;
+  }
+  return json;
+}
+
+}  // namespace
+
+std::string fitText(FitLaw law, const std::vector<CurveFit>& fits) {
+  const bool block = fits.size() == 1 && fits.front().problem.empty();
+  std::string text = block ? blockText(law, fits.front()) : tableText(law, fits);
+  for (const CurveFit& fit : fits)
+    for (const std::string& note : notesOf(fit)) text += (block ? "  " : fit.curve.name + ": ") + note + "\n";
+  return text;
+}
+
+Json fitJson(FitLaw law, const std::vector<CurveFit>& fits) {
+  Json curves = Json::array();
+  for (const CurveFit& fit : fits) {
+    Json json = {{"curve", fit.curve.name},
+                 {"points", fit.curve.force_N.size()},
+                 {"rows_without_numbers", fit.curve.rows_without_numbers},
+                 {"rows_before_contact", fit.curve.rows_before_contact}};
+    if (fit.problem.empty())
+      json.update(fittedJson(law, fit.fit));
+    else
+      json["problem"] = fit.problem;
+    json["notes"] = notesOf(fit);
+    curves.push_back(json);
+  }
+  return {{"law", nameOf(law)}, {"curves", curves}};
+}
+
+}  // namespace fissure
