@@ -3,10 +3,13 @@
 #include <memory>
 
 #include "base/error.h"
+#include "main/comparison.h"
 #include "main/exit_codes.h"
 #include "main/fit_output.h"
+#include "main/fit_ranking.h"
 #include "main/result_json.h"
 #include "main/verbs.h"
+#include "process/apart.h"
 #include "scenario/did_you_mean.h"
 #include "scenario/scalars.h"
 
@@ -20,6 +23,8 @@ struct FitOptions {
   std::string law = "hunt_crossley";
   std::string free;
   std::vector<std::string> fixed;
+  std::string result, sweep, match;
+  std::size_t best = 20;
   bool together = false, json = false;
 };
 
@@ -88,41 +93,91 @@ std::vector<MeasuredCurve> readAll(const FitOptions& options) {
   return options.together ? std::vector<MeasuredCurve>{joined(curves)} : curves;
 }
 
-CurveFit fitCurve(MeasuredCurve curve, FitLaw law, const FitSettings& settings) {
+MatchBy matchBy(const FitOptions& options, const MeasuredCurve& curve) {
+  if (options.match == "time") return MatchBy::time;
+  if (options.match == "depth") return MatchBy::depth;
+  return curve.depth_m.empty() ? MatchBy::time : MatchBy::depth;
+}
+
+/// `simulation`: the law is that of its triangles; null: of a whole probe.
+CurveFit fitCurve(MeasuredCurve curve, FitLaw law, const FitSettings& settings,
+                  const SimulatedRun* simulation, const FitOptions& options) {
   CurveFit made{std::move(curve), {}, {}};
   try {
-    made.fit = fitLaw(*makeProbeModel(law, made.curve), made.curve.force_N, made.curve.weights, settings);
+    SimulatedFit simulated;
+    if (simulation != nullptr) {
+      simulated = makeSimulatedFit(law, *simulation, made.curve, matchBy(options, made.curve));
+      made.curve = simulated.curve;
+    } else {
+      simulated.model = makeProbeModel(law, made.curve);
+    }
+    made.fit = fitLaw(*simulated.model, made.curve.force_N, made.curve.weights, settings);
   } catch (const InputError& error) {
     made.problem = error.what();
   }
   return made;
 }
 
-int fitCurves(const FitOptions& options) {
+void print(int code, const nlohmann::ordered_json& values) {
+  nlohmann::ordered_json json = {{"exit_code", code}};
+  json.update(values);
+  std::cout << jsonText(json);
+}
+
+int fitCurves(const FitOptions& options, const std::vector<MeasuredCurve>& curves) {
   const FitLaw law = lawOf(options.law);
   const FitSettings settings = settingsOf(options, law);
+  std::optional<SimulatedRun> simulation;
+  if (!options.result.empty()) {
+    const ResultChoice choice = parseChoice(options.result);
+    tryReading(choice.file, [&] { readSimulatedRun(choice.file, choice.run); });
+    simulation = readSimulatedRun(choice.file, choice.run);
+  }
   std::vector<CurveFit> fits;
-  for (MeasuredCurve& curve : readAll(options)) fits.push_back(fitCurve(std::move(curve), law, settings));
+  for (const MeasuredCurve& curve : curves)
+    fits.push_back(fitCurve(curve, law, settings, simulation ? &*simulation : nullptr, options));
   if (fits.size() == 1 && !fits.front().problem.empty())
     throw InputError(fits.front().curve.name + ": " + fits.front().problem);
   const bool good = std::all_of(fits.begin(), fits.end(),
                                 [](const CurveFit& fit) { return fit.problem.empty() && fit.fit.converged; });
   const int code = good ? exit_good : exit_run_failed;
-  if (options.json) {
-    nlohmann::ordered_json json = {{"exit_code", code}};
-    json.update(fitJson(law, fits));
-    std::cout << jsonText(json);
-  } else {
+  if (options.json)
+    print(code, fitJson(law, fits));
+  else
     std::cout << fitText(law, fits);
-  }
   return code;
+}
+
+int rankRuns(const FitOptions& options, const std::vector<MeasuredCurve>& curves) {
+  const FitSettings settings = settingsOf(options, lawOf(options.law));
+  std::filesystem::path file = options.sweep;
+  if (std::filesystem::is_directory(file)) file /= "sweep.h5";
+  tryReading(file, [&] { const SweepTable opened(file); });
+  const SweepTable table(file);
+  nlohmann::ordered_json rankings = nlohmann::ordered_json::array();
+  for (const MeasuredCurve& curve : curves) {
+    const bool free_offset = settings.free[static_cast<std::size_t>(FitParameter::F0)];
+    const SweepRanking ranking = rankSweep(table, curve, matchBy(options, curve), free_offset);
+    if (options.json)
+      rankings.push_back(rankingJson(table, ranking));
+    else
+      std::cout << rankingText(table, ranking, options.best);
+  }
+  if (options.json) print(exit_good, {{"sweep", file.string()}, {"curves", rankings}});
+  return exit_good;
+}
+
+int fit(const FitOptions& options) {
+  const std::vector<MeasuredCurve> curves = readAll(options);
+  return options.sweep.empty() ? fitCurves(options, curves) : rankRuns(options, curves);
 }
 
 }  // namespace
 
 Verb addFit(CLI::App& app) {
   const auto options = std::make_shared<FitOptions>();
-  CLI::App* command = app.add_subcommand("fit", "force laws fitted to measured curves of force over depth");
+  CLI::App* command =
+      app.add_subcommand("fit", "force laws fitted to measured curves, and sweeps ranked by them");
   command->add_option("CURVE", options->files, "tables (CSV, TSV) of measured points, one line a point")
       ->required()
       ->check(notEmpty);
@@ -139,9 +194,23 @@ Verb addFit(CLI::App& app) {
       "lambda are 0 else");
   command->add_option("--fix", options->fixed, "COEFFICIENT=NUMBER: not fitted; may be repeated")
       ->allow_extra_args(false);
+  CLI::Option* result = command->add_option(
+      "--result", options->result,
+      "RESULT[:RUN]: the law summed over the triangles of this simulation (record: {force_inputs: true})");
+  command
+      ->add_option("--sweep", options->sweep,
+                   "DIR: fit nothing, rank its runs by their misfit; F0 is free unless fixed")
+      ->excludes(result);
+  command
+      ->add_option("--match", options->match,
+                   "what a curve and a simulation have in common: depth (way of the tool since first "
+                   "contact, until it is "
+                   "deepest) or time (default: depth, where the curve has depths)")
+      ->check(CLI::IsMember({"depth", "time"}));
+  command->add_option("--best", options->best, "how many runs of a sweep are shown")->capture_default_str();
   command->add_flag("--together", options->together, "one law for the points of all curves");
   command->add_flag("--json", options->json, "the fits for machines");
-  return {command, [options] { return fitCurves(*options); }};
+  return {command, [options] { return fit(*options); }};
 }
 
 }  // namespace fissure

@@ -60,7 +60,7 @@ LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<F
                              .k = law.k,
                              .c = c,
                              .threshold = c > 0 ? -law.k / c : -std::numeric_limits<double>::infinity(),
-                             .extreme = !isOrdinary(law.k) || !isOrdinary(c)});
+                             .extreme = !isOrdinary(law.k) || !isOrdinary(c) || c < 0});
   }
   for (auto& [key, group] : groups) {
     std::stable_sort(group.members.begin(), group.members.end(),

@@ -43,7 +43,7 @@ class LawFamily {
     std::size_t law = 0;
     double k = 0, c = 0;   ///< of A and of B
     double threshold = 0;  ///< -k / c, -infinity where no triangle can pull
-    bool extreme = false;  ///< coefficients whose products may leave the range of a double
+    bool extreme = false;  ///< c < 0, or products that may leave the range of a double
   };
   /// Laws that share A and B.
   struct Group {

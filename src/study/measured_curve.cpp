@@ -89,6 +89,15 @@ CurveColumn parseColumn(const std::string& item) {
   return column;
 }
 
+void leaveOutBeforeContact(MeasuredCurve& curve) {
+  std::vector<std::size_t> in_contact;
+  for (std::size_t i = 0; i < curve.depth_m.size(); ++i)
+    if (curve.depth_m[i] >= 0) in_contact.push_back(i);
+  const std::size_t before = curve.depth_m.size() - in_contact.size();
+  curve = pointsOf(curve, in_contact);
+  curve.rows_before_contact = before;
+}
+
 /// Takes a file row by row.
 class CurveReader {
  public:
@@ -232,18 +241,6 @@ class CurveReader {
     curve.weights.push_back(weight);
   }
 
-  static void leaveOutBeforeContact(MeasuredCurve& curve) {
-    const std::vector<double> depth_m = curve.depth_m;
-    for (std::vector<double>* values :
-         {&curve.depth_m, &curve.force_N, &curve.time_s, &curve.rate_m_s, &curve.weights}) {
-      std::size_t kept = 0;
-      for (std::size_t i = 0; i < values->size(); ++i)
-        if (depth_m[i] >= 0) (*values)[kept++] = (*values)[i];
-      values->resize(kept);
-    }
-    curve.rows_before_contact = depth_m.size() - curve.depth_m.size();
-  }
-
   static void warnOutside(double value, double least, double most, const std::string& what,
                           const std::string& unit, MeasuredCurve& curve) {
     if (value >= least && value <= most) return;
@@ -317,6 +314,17 @@ std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector
   all.reserve(at.size());
   for (const std::size_t i : at) all.push_back(rates[i]);
   return all;
+}
+
+MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points) {
+  MeasuredCurve kept = curve;
+  for (std::vector<double>* values :
+       {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.weights}) {
+    if (values->empty()) continue;
+    for (std::size_t i = 0; i < points.size(); ++i) (*values)[i] = (*values)[points[i]];
+    values->resize(points.size());
+  }
+  return kept;
 }
 
 MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {

@@ -49,6 +49,9 @@ std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
 /// both ends the slope to the neighbour. Points of equal time count as one, with their mean depth.
 std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m);
 
+/// The curve with these of its points alone, in ascending order.
+MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points);
+
 /// The points of all curves as one, without times; rates only where all have them. Throws InputError where
 /// some have depths and some do not.
 MeasuredCurve joined(const std::vector<MeasuredCurve>& curves);

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "store/sweep_table.h"
+#include "study/curve_rank.h"
+
+namespace fissure {
+
+/// The runs of a sweep in the order of their misfit to a measured curve.
+struct SweepRanking {
+  MeasuredCurve curve;  ///< its points that the sweep's curves may reach; a warning counts the others
+  std::vector<Misfit> misfits;
+};
+
+/// By the sweep's curve `force`, one a law, over its time; by depth over its curve `tool_way` (m, since first
+/// contact). Throws InputError when the table lacks them, or no run can be compared.
+SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by, bool free_offset);
+
+/// For people: the best `most` runs with their axes' values.
+std::string rankingText(const SweepTable& table, const SweepRanking& ranking, std::size_t most);
+
+/// All runs, for machines.
+nlohmann::ordered_json rankingJson(const SweepTable& table, const SweepRanking& ranking);
+
+}  // namespace fissure
