@@ -75,10 +75,10 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
   return fit;
 }
 
-/// Why lambda cannot be identified, or nothing.
+/// Whether the data says what lambda is.
 struct LambdaVerdict {
-  std::string problem;
-  bool drop = false;  ///< its interval does not leave out 0 either
+  std::string problem;  ///< why it does not; empty: it does
+  std::string note;     ///< why it says so only roughly
 };
 
 LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
@@ -86,13 +86,15 @@ LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
     return {"k and lambda do the same (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
                 "), as where all rates are the same",
-            true};
+            ""};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
   if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
-  return {"the 95 % interval of lambda/k, " + fourDigits(share - half_width) + " to " +
-              fourDigits(share + half_width) + " s/m, is wider than +-0.1 s/m and than half its value",
-          std::abs(share) <= half_width};
+  const std::string interval = "the 95 % interval of lambda/k, " + fourDigits(share - half_width) + " to " +
+                               fourDigits(share + half_width) + " s/m, ";
+  if (half_width >= std::abs(share))
+    return {interval + "holds 0 and is wider than +-" + fourDigits(kNegligibleShare_s_m) + " s/m", ""};
+  return {"", "lambda is known only roughly: " + interval + "is wider than half its value to either side"};
 }
 
 void judgeOthers(const FitData& data, LawFit& fit) {
@@ -138,10 +140,11 @@ void addNotes(LawFit& fit) {
 }
 
 LawFit describe(const FitProblem& problem, const LeastSquares& best, const FitData& data,
-                const std::array<std::string, kFitParameters>& problems) {
+                const std::array<std::string, kFitParameters>& problems, const std::string& note) {
   LawFit fit = measure(problem, best, data);
   for (std::size_t i = 0; i < kFitParameters; ++i) fit.values[i].problem = problems[i];
   judgeOthers(data, fit);
+  if (!note.empty()) fit.notes.push_back(note);
   addNotes(fit);
   return fit;
 }
@@ -179,10 +182,9 @@ LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<
       n_free = false;
       continue;
     }
-    const LambdaVerdict verdict = lambda_free ? judgeLambda(problem, best) : LambdaVerdict{of_lambda};
-    of_lambda = verdict.problem;
-    if (!verdict.drop) return describe(problem, best, data, problems);
-    of_lambda += "; it is fixed at 0";
+    const LambdaVerdict verdict = lambda_free ? judgeLambda(problem, best) : LambdaVerdict();
+    if (verdict.problem.empty()) return describe(problem, best, data, problems, verdict.note);
+    of_lambda = verdict.problem + "; it is fixed at 0";
     lambda_free = false;
     used.fixed.lambda = 0;
     n_free = settings.free[index(FitParameter::n)];
