@@ -152,12 +152,19 @@ int rankRuns(const FitOptions& options, const std::vector<MeasuredCurve>& curves
   const FitSettings settings = settingsOf(options, lawOf(options.law));
   std::filesystem::path file = options.sweep;
   if (std::filesystem::is_directory(file)) file /= "sweep.h5";
-  tryReading(file, [&] { const SweepTable opened(file); });
+  const bool free_offset = settings.free[static_cast<std::size_t>(FitParameter::F0)];
+  const auto ranked = [&](const SweepTable& table, const MeasuredCurve& curve) {
+    try {
+      return rankSweep(table, curve, matchBy(options, curve), free_offset);
+    } catch (const InputError& error) {
+      throw InputError(curve.name + ": " + error.what());
+    }
+  };
+  tryReading(file, [&] { ranked(SweepTable(file), curves.front()); });
   const SweepTable table(file);
   nlohmann::ordered_json rankings = nlohmann::ordered_json::array();
   for (const MeasuredCurve& curve : curves) {
-    const bool free_offset = settings.free[static_cast<std::size_t>(FitParameter::F0)];
-    const SweepRanking ranking = rankSweep(table, curve, matchBy(options, curve), free_offset);
+    const SweepRanking ranking = ranked(table, curve);
     if (options.json)
       rankings.push_back(rankingJson(table, ranking));
     else

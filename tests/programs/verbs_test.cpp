@@ -21,6 +21,7 @@ TEST(Verbs, HelpAndVersionAreGood) {
                                                                                      {"info", "--help"},
                                                                                      {"salvage", "--help"},
                                                                                      {"export", "--help"},
+                                                                                     {"fit", "--help"},
                                                                                      {"compare", "--help"},
                                                                                      {"report", "--help"},
                                                                                      {"--version"}}) {
