@@ -90,8 +90,8 @@ FittedValue FitIntervals::of(FitParameter parameter) const {
     up = profileStep(parameter, up);
     fitted.profiled = true;
   }
-  fitted.low = offScale(parameter, center + down);
-  fitted.high = offScale(parameter, center + up);
+  fitted.low = std::min(fitted.value, offScale(parameter, center + down));
+  fitted.high = std::max(fitted.value, offScale(parameter, center + up));
   if (parameter == FitParameter::n) {
     fitted.low = std::max(fitted.low, least_exponent);
     fitted.high = std::min(fitted.high, largest_exponent);

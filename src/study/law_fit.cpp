@@ -44,7 +44,7 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
     throw InputError("the force does not grow with the depth, expected one that does");
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    throw InputError("the data does not say what " + namesOf(problem.free()) + " are (singular value ratio " +
+    throw InputError("the data does not determine " + namesOf(problem.free()) + " (singular value ratio " +
                      fourDigits(intervals.singularValueRatio()) +
                      "), expected other depths, or fewer of them free");
   LawFit fit;

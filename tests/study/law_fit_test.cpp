@@ -160,7 +160,7 @@ TEST(LawFit, RefusesInOneLineWhatCannotBeFitted) {
   EXPECT_EQ(refusal({0.001, 0.002, 0.003, 0.004, 0.005}, {5, 4, 3, 2, 1}),
             "the force does not grow with the depth, expected one that does");
   EXPECT_TRUE(refusal({0.001, 0.001, 0.001, 0.001, 0.001}, {1, 2, 3, 4, 5})
-                  .starts_with("the data does not say what k, n, F0 are (singular value ratio "));
+                  .starts_with("the data does not determine k, n, F0 (singular value ratio "));
   EXPECT_EQ(refusal({0.001, 0.002}, {1, 2}, {}), "nothing is free, expected a coefficient to fit");
 }
 
