@@ -13,6 +13,7 @@
 #include "main/sweep_estimate.h"
 #include "main/sweep_planning.h"
 #include "main/sweep_session.h"
+#include "main/sweep_slurm.h"
 #include "main/text_table.h"
 #include "main/verbs.h"
 #include "process/apart.h"
@@ -33,7 +34,8 @@ struct SweepOptions {
   std::string sweep;  ///< file, or the folder of a planned one
   std::string folder;
   std::string shard;
-  int slots = 1;
+  std::optional<int> slots;
+  SlurmOptions slurm;
   bool dry_run = false;
   bool many = false;
   bool fail_fast = false;
@@ -186,9 +188,39 @@ int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::
   return code;
 }
 
+nlohmann::ordered_json sessionJson(const SessionCounts& counts, int code) {
+  return {
+      {"exit_code", code}, {"ok", counts.ok}, {"failed", counts.failed}, {"interrupted", counts.interrupted}};
+}
+
+nlohmann::ordered_json submittedJson(const Submitted& submitted) {
+  return {{"exit_code", exit_good},
+          {"shards", submitted.shards},
+          {"missing", submitted.missing},
+          {"array_job", submitted.array_job},
+          {"merge_job", submitted.merge_job}};
+}
+
+/// For the engine Slurm; nothing for this machine.
+std::optional<SlurmSubmission> submissionOf(const SweepOptions& options, const fs::path& folder) {
+  if (options.slurm.engine != "slurm") {
+    if (!options.slurm.sbatch.empty())
+      throw InputError("sweep: " + options.slurm.sbatch.front() +
+                       " was not expected; options of sbatch need --engine slurm");
+    return std::nullopt;
+  }
+  if (!options.shard.empty()) throw InputError("--shard: expected not with --engine slurm, but --shards");
+  if (options.fail_fast) throw InputError("--fail-fast: expected not with --engine slurm");
+  SlurmOptions slurm = options.slurm;
+  slurm.dry_run = options.dry_run;
+  return std::optional<SlurmSubmission>(std::in_place, folder, slurm, options.slots);
+}
+
 int runSweep(const SweepOptions& options) {
   const fs::path folder = folderOf(options);
   const Shard shard = parseShard(options.shard);
+  std::optional<SlurmSubmission> slurm = submissionOf(options, folder);
+  const int slots = slurm ? slurm->slots() : options.slots.value_or(1);
   std::error_code ignored;
   const bool planned = fs::is_directory(options.sweep, ignored);
   SweepManifest manifest = planned ? readManifest(folder) : planSweep(options.sweep, folder, options.many);
@@ -203,9 +235,15 @@ int runSweep(const SweepOptions& options) {
 
   std::ostream& out = options.json ? std::cerr : std::cout;
   printPlan(plan, out);
-  const std::size_t timed_from = options.dry_run ? 1 : 8 * static_cast<std::size_t>(options.slots);
-  printEstimate(estimateSweep(plan, state, tasks, timed_from, interrupt), tasks.size(), plan.tasks().size(),
-                options.slots, out);
+  const std::size_t timed_from = options.dry_run || slurm ? 1 : 8 * static_cast<std::size_t>(slots);
+  const SweepEstimate estimate = estimateSweep(plan, state, tasks, timed_from, interrupt);
+  printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
+  if (slurm) {
+    if (interrupt.requested()) return exit_interrupted;
+    const Submitted submitted = slurm->submit(plan, tasks, estimate, out);
+    if (options.json) std::cout << jsonText(submittedJson(submitted));
+    return exit_good;
+  }
   out.flush();
   if (options.dry_run) return exit_good;
 
@@ -213,8 +251,8 @@ int runSweep(const SweepOptions& options) {
   SessionCounts counts;
   std::string failure;
   if (!tasks.empty()) {
-    SweepSession session(plan, folder, std::move(tasks),
-                         {options.slots, options.fail_fast, options.command_line}, display);
+    SweepSession session(plan, folder, std::move(tasks), {slots, options.fail_fast, options.command_line},
+                         display);
     session.run(interrupt);
     counts = session.counts();
     failure = session.firstFailure();
@@ -223,11 +261,14 @@ int runSweep(const SweepOptions& options) {
   if (counts.failed > 0 && options.fail_fast) return exit_run_failed;
   if (counts.interrupted > 0 || interrupt.requested()) {
     std::cerr << "interrupted; `fissure sweep " << folder.string() << "` goes on\n";
+    if (options.json) std::cout << jsonText(sessionJson(counts, exit_interrupted));
     return exit_interrupted;
   }
-  if (shard.count == 1) return finish(plan, folder, options.json, options.command_line);
+  if (options.shard.empty()) return finish(plan, folder, options.json, options.command_line);
+  const int code = counts.failed > 0 ? exit_run_failed : exit_good;
   out << "shard " << options.shard << ": " << counts.ok << " ok, " << counts.failed << " failed\n";
-  return counts.failed > 0 ? exit_run_failed : exit_good;
+  if (options.json) std::cout << jsonText(sessionJson(counts, code));
+  return code;
 }
 
 struct FolderOptions {
@@ -252,6 +293,7 @@ int showStatus(const FolderOptions& options) {
   std::cout << "to do: " << state.unfinished().size() << " of " << counted(plan.tasks().size(), "simulation")
             << "\n";
   printCounts(plan, state);
+  printJobs(options.folder, std::cout);
   return exit_good;
 }
 
@@ -274,14 +316,14 @@ void addOptions(CLI::App& command, SweepOptions& options) {
       .add_option("-o,--output", options.folder,
                   "folder of the sweep; default: results/<name of the sweep file>")
       ->check(notEmpty);
-  command.add_option("-j,--jobs", options.slots, "simulations side by side")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  command.add_option("-j,--jobs", options.slots, "simulations side by side; default: 1")
+      ->check(CLI::Range(1, 1024));
   command.add_flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
   command.add_flag("--yes", options.many, "plan more than 100,000 runs");
   command.add_option("--shard", options.shard,
                      "I/N: only every N-th simulation, from the I-th on; then `sweep merge`");
   command.add_flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");
+  addSlurmOptions(command, options.slurm);
   command.add_flag("--json", options.json, "what became of the runs, for machines, on standard output");
 }
 

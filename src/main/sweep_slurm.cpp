@@ -1,0 +1,226 @@
+#include "main/sweep_slurm.h"
+
+#include <cmath>
+#include <ostream>
+#include <set>
+
+#include "base/error.h"
+#include "main/progress_display.h"
+#include "scenario/scalars.h"
+#include "scenario/text_file.h"
+#include "store/temporary_file.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string thisProgram() {
+  return shellWord(fs::read_symlink("/proc/self/exe").string());
+}
+
+bool isUnedited(const std::string& text, const ArrayScript& script) {
+  return text == arrayScriptText(script);
+}
+
+void put(const fs::path& path, const std::string& text) {
+  try {
+    TemporaryFile file(path);
+    file.write(text);
+    file.commit();
+  } catch (const RunError& failure) {
+    throw RunError(path.string() + ": " + failure.what());
+  }
+}
+
+std::string rangesOf(const std::vector<std::size_t>& tasks, std::size_t shards) {
+  std::set<std::size_t> missing;
+  for (const std::size_t task : tasks) missing.insert(task % shards + 1);
+  return arrayRanges({missing.begin(), missing.end()});
+}
+
+std::string words(const std::vector<std::string>& arguments) {
+  std::string text;
+  for (const std::string& argument : arguments) text += " " + shellWord(argument);
+  return text;
+}
+
+void refuseOwnOptions(const std::vector<std::string>& sbatch) {
+  if (!sbatch.empty() && !sbatch.front().starts_with('-'))
+    throw InputError("sweep: " + sbatch.front() + " was not expected; options of sbatch come after --");
+  for (const std::string& word : sbatch)
+    if (word == "-a" || word == "--array" || word.starts_with("--array="))
+      throw InputError(
+          "-- " + word +
+          ": the array is chosen here, expected --shards; for eight tasks at a time append %8 to "
+          "--array in slurm/array.sbatch");
+}
+
+}  // namespace
+
+void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
+  command
+      .add_option("--engine", options.engine,
+                  "local: simulate here; slurm: submit what is missing to this Slurm cluster")
+      ->check(CLI::IsMember({"local", "slurm"}))
+      ->capture_default_str();
+  command
+      .add_option("--shards", options.shards,
+                  "slurm: tasks of the array; default: so many that each takes --shard-minutes, or as before")
+      ->check(CLI::Range(1, 10000000));
+  command.add_option("--shard-minutes", options.shard_minutes, "slurm: how long a shard should take")
+      ->check(CLI::Range(0.01, 1e6))
+      ->capture_default_str();
+  command.add_flag("--no-submit", options.no_submit, "slurm: write the sbatch files, and submit nothing");
+  command.add_flag("--again", options.again, "slurm: submit although jobs of this sweep are queued");
+  command.add_option("sbatch", options.sbatch, "slurm: after --, options for sbatch")
+      ->type_name("-- OPTIONS");
+}
+
+SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::optional<int> slots)
+    : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
+  refuseOwnOptions(options_.sbatch);
+  requireSlurm();
+  queued_ = queuedJobs(recordedJobs(folder_));
+  if (!queued_.empty() && !options_.again && !options_.no_submit && !options_.dry_run)
+    throw InputError(folder_.string() + ": jobs of this sweep are queued, " + describe(queued_) +
+                     "; expected their end, or --again");
+  std::error_code ignored;
+  if (fs::exists(arrayScriptFile(folder_), ignored)) {
+    array_text_ = readTextFile(arrayScriptFile(folder_));
+    array_ = readArrayScript(array_text_, arrayScriptFile(folder_));
+  }
+  slots_ = slots ? *slots : array_ ? static_cast<int>(array_->cpus) : 1;
+}
+
+ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
+                                    std::ostream& out) const {
+  const SlurmLimits limits = slurmLimits();
+  const std::size_t most = limits.mostShards();
+  const std::string here = "this cluster takes " + std::to_string(most) + " in an array (MaxArraySize " +
+                           std::to_string(limits.max_array_size) + ", MaxJobCount " +
+                           std::to_string(limits.max_job_count) + ")";
+  const std::size_t all = plan.tasks().size();
+  std::size_t shards = 1;
+  if (options_.shards) {
+    shards = std::min(static_cast<std::size_t>(*options_.shards), all);
+    if (shards > most)
+      throw InputError("--shards " + std::to_string(shards) + ": " + here + ", expected at most that");
+  } else if (array_ && array_->simulations == all && array_->shards <= most) {
+    shards = array_->shards;
+  } else {
+    const double by_time = estimate.one_s
+                               ? std::ceil(estimate.total_s(tasks, slots_) / (60 * options_.shard_minutes))
+                               : static_cast<double>(tasks);
+    const std::size_t wished = std::min(tasks, static_cast<std::size_t>(std::max(1.0, by_time)));
+    shards = std::max<std::size_t>(1, std::min(wished, most));
+    if (wished > most) out << "slurm: " << wished << " shards would be right, " << here << "\n";
+  }
+  return {plan.manifest().settings.name,    all,           shards,
+          static_cast<std::size_t>(slots_), thisProgram(), array_ ? array_->throttle : ""};
+}
+
+void SlurmSubmission::writeScripts(const ArrayScript& script, std::ostream& out) const {
+  std::error_code error;
+  fs::create_directories(slurmFolder(folder_) / "logs", error);
+  if (error) throw RunError(slurmFolder(folder_).string() + ": cannot be made: " + error.message());
+  const fs::path array = arrayScriptFile(folder_), merge = mergeScriptFile(folder_);
+  if (!array_ || isUnedited(array_text_, *array_)) {
+    put(array, arrayScriptText(script));
+  } else {
+    const bool other = array_->shards != script.shards;
+    out << array.string() << ": was edited, and is kept"
+        << (other ? " but for its number of shards, now " + std::to_string(script.shards) : "") << "\n";
+    if (array_->program != script.program)
+      out << array.string() << ": runs " << array_->program << ", not this program\n";
+    put(array, withShards(array_text_, script));
+  }
+  if (fs::exists(merge, error) && !isUneditedMergeScript(readTextFile(merge), script.sweep))
+    out << merge.string() << ": was edited, and is kept\n";
+  else
+    put(merge, mergeScriptText(script.sweep, script.program));
+}
+
+std::vector<std::string> SlurmSubmission::arrayArguments(const std::string& ranges) const {
+  std::vector<std::string> arguments = options_.sbatch;
+  if (given_slots_) arguments.push_back("--cpus-per-task=" + std::to_string(slots_));
+  arguments.push_back("--array=" + ranges + (array_ ? array_->throttle : ""));
+  return arguments;
+}
+
+std::string SlurmSubmission::submitArray(const std::string& ranges, std::size_t shards, std::ostream& out) {
+  std::vector<std::string> arguments = arrayArguments(ranges);
+  arguments.push_back("--chdir=" + fs::absolute(folder_).string());
+  arguments.push_back(fs::absolute(arrayScriptFile(folder_)).string());
+  const SlurmJob job = {submitJob(arguments), "array", ranges + "/" + std::to_string(shards)};
+  out << "slurm: job " << job.id << " runs shards " << ranges << " of " << shards << "\n";
+  queued_.push_back({job, ""});
+  recordJob(folder_, job);
+  return job.id;
+}
+
+std::string SlurmSubmission::submitMerge(std::ostream& out) const {
+  std::vector<std::string> arguments = options_.sbatch;
+  std::string after;
+  for (const QueuedJob& earlier : queued_)
+    if (earlier.job.what == "array") after += ":" + earlier.job.id;
+  if (!after.empty()) arguments.push_back("--dependency=afterany" + after);
+  arguments.push_back("--chdir=" + fs::absolute(folder_).string());
+  arguments.push_back(fs::absolute(mergeScriptFile(folder_)).string());
+  try {
+    const SlurmJob job = {submitJob(arguments), "merge", ""};
+    out << "slurm: job " << job.id << " merges" << (after.empty() ? "" : " when they have ended") << "\n";
+    recordJob(folder_, job);
+    return job.id;
+  } catch (const RunError& error) {
+    throw RunError(std::string("the merge was not submitted: ") + error.what() +
+                   (after.empty() ? "" : "; the shards are queued: job" + after));
+  }
+}
+
+void SlurmSubmission::printCommands(const std::string& ranges, std::ostream& out) const {
+  out << "nothing was submitted; to do that:\n  cd " << shellWord(folder_.string()) << "\n";
+  std::string after;
+  if (!ranges.empty()) {
+    out << "  job=$(sbatch --parsable" << words(arrayArguments(ranges)) << " slurm/array.sbatch)\n";
+    after = " --dependency=afterany:$job";
+  }
+  out << "  sbatch" << words(options_.sbatch) << after << " slurm/merge.sbatch\n";
+}
+
+Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
+                                  const SweepEstimate& estimate, std::ostream& out) {
+  const ArrayScript script = choose(plan, tasks.size(), estimate, out);
+  const std::string ranges = rangesOf(tasks, script.shards);
+  out << "slurm: " << script.shards << (script.shards == 1 ? " shard" : " shards") << " with " << script.cpus
+      << (script.cpus == 1 ? " CPU" : " CPUs");
+  if (estimate.one_s && !tasks.empty()) {
+    const std::size_t each = (tasks.size() + script.shards - 1) / script.shards;
+    out << ", about " << durationText(estimate.total_s(each, slots_)) << " each";
+  }
+  out << (ranges.empty() ? "; nothing is missing" : "; to run: " + ranges) << "\n";
+  Submitted submitted = {script.shards, ranges, "", ""};
+  if (options_.dry_run) return submitted;
+  writeScripts(script, out);
+  if (options_.no_submit) {
+    printCommands(ranges, out);
+    return submitted;
+  }
+  if (!ranges.empty()) submitted.array_job = submitArray(ranges, script.shards, out);
+  submitted.merge_job = submitMerge(out);
+  return submitted;
+}
+
+void printJobs(const fs::path& folder, std::ostream& out) {
+  const std::vector<SlurmJob> jobs = recordedJobs(folder);
+  if (jobs.empty() || !hasSlurm()) return;
+  try {
+    const std::vector<QueuedJob> queued = queuedJobs(jobs);
+    out << "slurm: " << (queued.empty() ? "no job of this sweep is queued" : describe(queued)) << "\n";
+  } catch (const RunError& error) {
+    out << "slurm: " << error.what() << "\n";
+  }
+}
+
+}  // namespace fissure

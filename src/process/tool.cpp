@@ -1,0 +1,84 @@
+#include "process/tool.h"
+
+#include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <sstream>
+
+#include "base/error.h"
+#include "process/line_splitter.h"
+#include "process/spawn.h"
+
+namespace fissure {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Appends what is there; closes the descriptor at its end.
+void listen(Descriptor& from, std::string& text) {
+  if (!from.open()) return;
+  std::array<char, 65536> bytes;  // NOLINT(cppcoreguidelines-pro-type-member-init): filled by read
+  const ssize_t count = ::read(from.number(), bytes.data(), bytes.size());
+  if (count > 0)
+    text.append(bytes.data(), static_cast<std::size_t>(count));
+  else if (count == 0 || (errno != EAGAIN && errno != EINTR))
+    from.reset();
+}
+
+/// Collects both streams until they end. False: the time is up.
+bool listenUntil(Clock::time_point end, SpawnedProcess& process, std::string& output, std::string& errors) {
+  while (process.output.open() || process.errors.open()) {
+    const double left_s = std::chrono::duration<double>(end - Clock::now()).count();
+    if (left_s <= 0) return false;
+    std::array<pollfd, 2> polled = {
+        {{process.output.number(), POLLIN, 0}, {process.errors.number(), POLLIN, 0}}};
+    ::poll(polled.data(), polled.size(), static_cast<int>(std::ceil(std::min(left_s, 60.0) * 1e3)));
+    listen(process.output, output);
+    listen(process.errors, errors);
+  }
+  return true;
+}
+
+std::string lastLine(const std::string& text) {
+  std::istringstream lines(text);
+  std::string last;
+  for (std::string line; std::getline(lines, line);)
+    if (line.find_first_not_of(" \t\r") != std::string::npos) last = printableLine(line);
+  return last;
+}
+
+}  // namespace
+
+ToolOutcome runTool(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                    double most_s) {
+  const std::string name = program.filename().string();
+  const auto end =
+      Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(most_s));
+  SpawnedProcess process = spawn({.program = program, .arguments = arguments});
+  ToolOutcome outcome;
+  std::string errors;
+  const bool ended = listenUntil(end, process, outcome.output, errors);
+  if (!ended) ::kill(process.process, SIGKILL);
+  int status = 0;
+  while (::waitpid(process.process, &status, 0) < 0 && errno == EINTR) {
+  }
+  if (!ended) {
+    std::ostringstream reason;
+    reason << name << ": no answer within " << most_s << " s";
+    throw RunError(reason.str());
+  }
+  if (!WIFEXITED(status)) throw RunError(name + ": killed by signal " + std::to_string(WTERMSIG(status)));
+  outcome.code = WEXITSTATUS(status);
+  outcome.error = lastLine(errors);
+  return outcome;
+}
+
+}  // namespace fissure

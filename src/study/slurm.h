@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace fissure {
+
+/// What a cluster takes, as `scontrol show config` says.
+struct SlurmLimits {
+  std::size_t max_array_size = 0;  ///< MaxArraySize: indices of an array stay below it
+  std::size_t max_job_count = 0;   ///< MaxJobCount: of the whole cluster, each array task counts
+
+  /// Tasks of an array that counts from 1, beside one more job.
+  std::size_t mostShards() const;
+};
+
+/// Whether all of Slurm's programs that are used here are on PATH.
+bool hasSlurm();
+/// Throws InputError where hasSlurm() is false.
+void requireSlurm();
+
+/// Throws RunError when the cluster does not answer.
+SlurmLimits slurmLimits();
+
+/// `sbatch ARGUMENTS...`; the id of the job. Throws RunError with what sbatch says.
+std::string submitJob(const std::vector<std::string>& arguments);
+
+/// A job that this program submitted, as `<sweep's folder>/slurm/jobs` records it, a line each.
+struct SlurmJob {
+  std::string id;
+  std::string what;   ///< "array" or "merge"
+  std::string tasks;  ///< of an array: "1,4-7/8"
+};
+
+/// Appends a line. Throws RunError when that fails.
+void recordJob(const std::filesystem::path& folder, const SlurmJob& job);
+/// In the order in which they were submitted; none when there is no such file.
+std::vector<SlurmJob> recordedJobs(const std::filesystem::path& folder);
+
+/// A job that has not ended.
+struct QueuedJob {
+  SlurmJob job;
+  std::string states;  ///< "2 running, 5 pending"
+};
+
+/// Which of `jobs` are queued or running, as squeue says. Throws RunError when the cluster does not answer.
+std::vector<QueuedJob> queuedJobs(const std::vector<SlurmJob>& jobs);
+/// In words: "12 (array): 2 running, 5 pending; 13 (merge): 1 pending".
+std::string describe(const std::vector<QueuedJob>& queued);
+
+}  // namespace fissure
