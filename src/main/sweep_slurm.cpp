@@ -81,7 +81,11 @@ void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
 SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::optional<int> slots)
     : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
   refuseOwnOptions(options_.sbatch);
+  if (fs::absolute(folder_).string().find_first_of("%\\") != std::string::npos)
+    throw InputError(fs::absolute(folder_).string() +
+                     ": Slurm takes % and \\ in the names of its logs as patterns, expected a folder without");
   requireSlurm();
+  limits_ = slurmLimits();
   queued_ = queuedJobs(recordedJobs(folder_));
   if (!queued_.empty() && !options_.again && !options_.no_submit && !options_.dry_run)
     throw InputError(folder_.string() + ": jobs of this sweep are queued, " + describe(queued_) +
@@ -96,17 +100,17 @@ SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::opt
 
 ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
                                     std::ostream& out) const {
-  const SlurmLimits limits = slurmLimits();
-  const std::size_t most = limits.mostShards();
+  const std::size_t most = limits_.mostShards();
   const std::string here = "this cluster takes " + std::to_string(most) + " in an array (MaxArraySize " +
-                           std::to_string(limits.max_array_size) + ", MaxJobCount " +
-                           std::to_string(limits.max_job_count) + ")";
+                           std::to_string(limits_.max_array_size) + ", MaxJobCount " +
+                           std::to_string(limits_.max_job_count) + ")";
   const std::size_t all = plan.tasks().size();
   std::size_t shards = 1;
   if (options_.shards) {
-    shards = std::min(static_cast<std::size_t>(*options_.shards), all);
+    shards = static_cast<std::size_t>(*options_.shards);
     if (shards > most)
       throw InputError("--shards " + std::to_string(shards) + ": " + here + ", expected at most that");
+    shards = std::min(shards, all);
   } else if (array_ && array_->simulations == all && array_->shards <= most) {
     shards = array_->shards;
   } else {

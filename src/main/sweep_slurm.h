@@ -38,7 +38,7 @@ struct Submitted {
 class SlurmSubmission {
  public:
   /// `slots`: of each shard; default: as in the sweep's array.sbatch, else 1. Throws InputError where there
-  /// is no Slurm, or while jobs of this sweep are queued.
+  /// is no Slurm, or while jobs of this sweep are queued, RunError where the cluster does not answer.
   SlurmSubmission(std::filesystem::path folder, SlurmOptions options, std::optional<int> slots);
 
   int slots() const { return slots_; }
@@ -61,6 +61,7 @@ class SlurmSubmission {
   SlurmOptions options_;
   std::optional<int> given_slots_;
   int slots_ = 1;
+  SlurmLimits limits_;
   std::vector<QueuedJob> queued_;
   std::string array_text_;            ///< of the file that is there
   std::optional<ArrayScript> array_;  ///< what it says

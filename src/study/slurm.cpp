@@ -29,8 +29,9 @@ std::string said(const char* tool, const std::vector<std::string>& arguments) {
   if (!program) throw RunError(std::string(tool) + ": not on PATH any more");
   const ToolOutcome outcome = runTool(*program, arguments, most_s);
   if (outcome.code == 0) return outcome.output;
-  throw RunError(std::string(tool) + ": " +
-                 (outcome.error.empty() ? "exit code " + std::to_string(outcome.code) : outcome.error));
+  const std::string name = std::string(tool) + ": ";
+  if (outcome.error.empty()) throw RunError(name + "exit code " + std::to_string(outcome.code));
+  throw RunError(outcome.error.starts_with(name) ? outcome.error : name + outcome.error);
 }
 
 std::size_t configured(const std::string& config, const std::string& key) {

@@ -122,7 +122,6 @@ trap 'kill -TERM "$session"' TERM
 while kill -0 "$session" 2> /dev/null; do wait "$session"; done
 wait "$session"
 code=$?
-cat "$said"
 progress=$(grep '"ok": [1-9]' "$said")
 rm -f "$said"
 
