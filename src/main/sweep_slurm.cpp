@@ -179,7 +179,7 @@ std::string SlurmSubmission::submitMerge(std::ostream& out) const {
     return job.id;
   } catch (const RunError& error) {
     throw RunError(std::string("the merge was not submitted: ") + error.what() +
-                   (after.empty() ? "" : "; the shards are queued: job" + after));
+                   (after.empty() ? "" : "; the shards are queued, job " + after.substr(1)));
   }
 }
 

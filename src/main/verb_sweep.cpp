@@ -235,7 +235,9 @@ int runSweep(const SweepOptions& options) {
 
   std::ostream& out = options.json ? std::cerr : std::cout;
   printPlan(plan, out);
-  const std::size_t timed_from = options.dry_run || slurm ? 1 : 8 * static_cast<std::size_t>(slots);
+  std::size_t timed_from = 8 * static_cast<std::size_t>(slots);
+  if (options.dry_run || slurm) timed_from = 1;
+  if (!options.shard.empty()) timed_from = tasks.size() + 1;  // nobody waits for a word from a shard
   const SweepEstimate estimate = estimateSweep(plan, state, tasks, timed_from, interrupt);
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {

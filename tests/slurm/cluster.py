@@ -32,7 +32,7 @@ SlurmctldPort={port}
 SlurmUser={user}
 SlurmdUser={user}
 AuthType=auth/munge
-AuthInfo=socket={folder}/munge/socket,cred_expire=1
+AuthInfo=socket={folder}/munge/socket,cred_expire=5
 CredType=cred/munge
 CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
 StateSaveLocation={folder}/state
@@ -60,7 +60,7 @@ ReturnToService=2
 SlurmctldTimeout=10
 SlurmdTimeout={node_timeout}
 TCPTimeout=1
-MessageTimeout=5
+MessageTimeout=3
 KillWait=2
 InactiveLimit=0
 """
@@ -192,7 +192,7 @@ def main():
     parser.add_argument("--nodes", type=int, default=2)
     parser.add_argument("--cpus", type=int, default=2)
     parser.add_argument("--array-size", type=int, default=1001)
-    parser.add_argument("--node-timeout", type=int, default=5)
+    parser.add_argument("--node-timeout", type=int, default=3)
     arguments = parser.parse_args()
     os.environ["PATH"] += ":/usr/sbin:/sbin"
     if missing := missing_programs():

@@ -234,7 +234,7 @@ def main():
         (folder / "press.yaml").write_text(SCENARIO.format(duration_s=arguments.duration))
         (folder / "sweep.yaml").write_text(SWEEP)
         fissure = Fissure(arguments.fissure, folder)
-        fissure("sweep", "sweep.yaml", "-o", "truth")
+        fissure("sweep", "sweep.yaml", "-o", "truth", "-j", "2")
         say("simulated here")
         with Cluster(pathlib.Path(temporary) / "c"):
             say("cluster started")

@@ -1,0 +1,67 @@
+#include "study/slurm_scripts.h"
+
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+
+namespace fissure {
+namespace {
+
+const ArrayScript script = {"blades", 24, 4, 2, "'/opt/my programs/fissure'", "%2"};
+
+std::string without(std::string text, const std::string& what) {
+  const std::size_t at = text.find(what);
+  return at == std::string::npos ? "test error: no " + what : text.erase(at, what.size());
+}
+
+TEST(SlurmScripts, SayAgainWhatTheyWereMadeOf) {
+  const ArrayScript read = readArrayScript(arrayScriptText(script), "f");
+  EXPECT_EQ(read.sweep, script.sweep);
+  EXPECT_EQ(read.simulations, script.simulations);
+  EXPECT_EQ(read.shards, script.shards);
+  EXPECT_EQ(read.cpus, script.cpus);
+  EXPECT_EQ(read.program, script.program);
+  EXPECT_EQ(read.throttle, script.throttle);
+  EXPECT_EQ(arrayScriptText(read), arrayScriptText(script));
+}
+
+TEST(SlurmScripts, GetAnotherNumberOfShardsWhereverTheyWereEdited) {
+  const std::string edited = "#!/bin/bash -x\n" + arrayScriptText(script) + "echo done\n";
+  ArrayScript other = script;
+  other.shards = 7;
+  other.simulations = 100;
+  EXPECT_EQ(withShards(edited, other), "#!/bin/bash -x\n" + arrayScriptText(other) + "echo done\n");
+  EXPECT_EQ(withShards(edited, script), edited);
+}
+
+TEST(SlurmScripts, AreRefusedWithoutALineThatIsNeeded) {
+  for (const char* line : {"#SBATCH --array=1-4", "\nshards=4", "\nprogram=", "#SBATCH --cpus-per-task=2",
+                           "# Sweep blades: 24 simulations"}) {
+    EXPECT_THROW(readArrayScript(without(arrayScriptText(script), line), "f"), InputError) << line;
+  }
+  ArrayScript none = script;
+  none.shards = 0;
+  EXPECT_THROW(readArrayScript(arrayScriptText(none), "f"), InputError);
+}
+
+TEST(SlurmScripts, OfAMergeAreKnownAsUneditedWhateverTheProgram) {
+  const std::string text = mergeScriptText("blades", "/opt/fissure");
+  EXPECT_TRUE(isUneditedMergeScript(text, "blades"));
+  EXPECT_FALSE(isUneditedMergeScript(text + "#\n", "blades"));
+  EXPECT_FALSE(isUneditedMergeScript("", "blades"));
+}
+
+TEST(SlurmScripts, WordsOfTheShell) {
+  EXPECT_EQ(shellWord("/opt/a-b_1.2"), "/opt/a-b_1.2");
+  EXPECT_EQ(shellWord("it's a $HOME"), "'it'\\''s a $HOME'");
+  EXPECT_EQ(shellWord(""), "''");
+}
+
+TEST(SlurmScripts, RangesOfAnArray) {
+  EXPECT_EQ(arrayRanges({}), "");
+  EXPECT_EQ(arrayRanges({3}), "3");
+  EXPECT_EQ(arrayRanges({1, 2, 4, 6, 7, 8}), "1-2,4,6-8");
+}
+
+}  // namespace
+}  // namespace fissure
