@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double default_shard_minutes = 20;  // a slot of a cluster idles for a second or three a task
+
 std::string thisProgram() {
   return shellWord(fs::read_symlink("/proc/self/exe").string());
 }
@@ -69,9 +71,10 @@ void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
       .add_option("--shards", options.shards,
                   "slurm: tasks of the array; default: so many that each takes --shard-minutes, or as before")
       ->check(CLI::Range(1, 10000000));
-  command.add_option("--shard-minutes", options.shard_minutes, "slurm: how long a shard should take")
-      ->check(CLI::Range(0.01, 1e6))
-      ->capture_default_str();
+  command
+      .add_option("--shard-minutes", options.shard_minutes,
+                  "slurm: how long a shard should take; default: 20")
+      ->check(CLI::Range(0.01, 1e6));
   command.add_flag("--no-submit", options.no_submit, "slurm: write the sbatch files, and submit nothing");
   command.add_flag("--again", options.again, "slurm: submit although jobs of this sweep are queued");
   command.add_option("sbatch", options.sbatch, "slurm: after --, options for sbatch")
@@ -82,8 +85,9 @@ SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::opt
     : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
   refuseOwnOptions(options_.sbatch);
   if (fs::absolute(folder_).string().find_first_of("%\\") != std::string::npos)
-    throw InputError(fs::absolute(folder_).string() +
-                     ": Slurm takes % and \\ in the names of its logs as patterns, expected a folder without");
+    throw InputError(
+        fs::absolute(folder_).string() +
+        ": Slurm takes % and \\ in the names of its logs as patterns, expected a folder without");
   requireSlurm();
   limits_ = slurmLimits();
   queued_ = queuedJobs(recordedJobs(folder_));
@@ -111,11 +115,12 @@ ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, co
     if (shards > most)
       throw InputError("--shards " + std::to_string(shards) + ": " + here + ", expected at most that");
     shards = std::min(shards, all);
-  } else if (array_ && array_->simulations == all && array_->shards <= most) {
+  } else if (!options_.shard_minutes && array_ && array_->simulations == all && array_->shards <= most) {
     shards = array_->shards;
   } else {
     const double by_time = estimate.one_s
-                               ? std::ceil(estimate.total_s(tasks, slots_) / (60 * options_.shard_minutes))
+                               ? std::ceil(estimate.total_s(tasks, slots_) /
+                                           (60 * options_.shard_minutes.value_or(default_shard_minutes)))
                                : static_cast<double>(tasks);
     const std::size_t wished = std::min(tasks, static_cast<std::size_t>(std::max(1.0, by_time)));
     shards = std::max<std::size_t>(1, std::min(wished, most));

@@ -14,9 +14,9 @@
 namespace fissure {
 
 struct SlurmOptions {
-  std::string engine = "local";  ///< or "slurm"
-  std::optional<int> shards;     ///< default: by the time they take, once; then as they were
-  double shard_minutes = 20;     ///< wall time of a shard, where that can be chosen
+  std::string engine = "local";         ///< or "slurm"
+  std::optional<int> shards;            ///< default: by shard_minutes, later as they were
+  std::optional<double> shard_minutes;  ///< wall time that a shard should take; default: 20
   bool no_submit = false;
   bool dry_run = false;
   bool again = false;               ///< although jobs of this sweep are queued
