@@ -177,15 +177,16 @@ std::string SlurmSubmission::submitMerge(std::ostream& out) const {
   if (!after.empty()) arguments.push_back("--dependency=afterany" + after);
   arguments.push_back("--chdir=" + fs::absolute(folder_).string());
   arguments.push_back(fs::absolute(mergeScriptFile(folder_)).string());
+  SlurmJob job = {"", "merge", ""};
   try {
-    const SlurmJob job = {submitJob(arguments), "merge", ""};
-    out << "slurm: job " << job.id << " merges" << (after.empty() ? "" : " when they have ended") << "\n";
-    recordJob(folder_, job);
-    return job.id;
+    job.id = submitJob(arguments);
   } catch (const RunError& error) {
     throw RunError(std::string("the merge was not submitted: ") + error.what() +
                    (after.empty() ? "" : "; the shards are queued, job " + after.substr(1)));
   }
+  out << "slurm: job " << job.id << " merges" << (after.empty() ? "" : " when they have ended") << "\n";
+  recordJob(folder_, job);
+  return job.id;
 }
 
 void SlurmSubmission::printCommands(const std::string& ranges, std::ostream& out) const {
