@@ -38,7 +38,7 @@ class Ranker {
  public:
   Ranker(const SweepTable& table, MatchBy by)
       : table_(table), by_(by), force_(curveOf(table, "force", "which is compared")) {
-    if (by == MatchBy::depth) way_ = &curveOf(table, "tool_way", "which measured depths are compared with");
+    if (by == MatchBy::depth) way_ = &curveOf(table, "indentation", "which measured depths are compared with");
   }
 
   double deepest_m() const {

@@ -166,7 +166,7 @@ void writeSweep(const std::filesystem::path& path) {
   layout.design = "grid";
   layout.axes = {{"k", "force.spring.k", true}};
   layout.laws = {"spring"};
-  layout.curves = {{"tool_way", "m", "way of the tool", false}, {"force", "N", "force", true}};
+  layout.curves = {{"indentation", "m", "way of the tool", false}, {"force", "N", "force", true}};
   for (int i = 0; i <= 20; ++i) layout.curve_time_s.push_back(0.01 * i);
   layout.runs = 3;
   SweepTableWriter writer(path, layout);
