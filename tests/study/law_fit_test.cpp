@@ -122,6 +122,43 @@ TEST(LawFit, IntervalsCoverTheTruthAsOftenAsTheySay) {
   }
 }
 
+// Bates and Watts: with the rest fitted anew, S has grown by t^2 s^2 at the ends; t(36, 97.5 %) = 2.02809.
+TEST(LawFit, ProfiledIntervalsEndWhereTheRestCannotMakeUpForTheChange) {
+  MeasuredCurve curve = presses(40, {0.001, 0.002, 0.003}, 0.12);
+  setForces(kLiver, curve);
+  boost::random::mt19937_64 random(5);
+  boost::random::normal_distribution<double> noise_N(0, 0.01);
+  for (double& force_N : curve.force_N) force_N += noise_N(random);
+  const LawFit fit = fitted(curve, kAllFree);
+  const FittedValue& lambda = fit.of(FitParameter::lambda);
+  ASSERT_TRUE(lambda.profiled);
+  const double squares_N2 = 40 * fit.rms_N * fit.rms_N;
+  for (const double end : {lambda.low, lambda.high}) {
+    const LawFit there = fitted(curve, {{.lambda = end}, {true, false, true, true}});
+    const double growth_N2 = 40 * there.rms_N * there.rms_N - squares_N2;
+    EXPECT_NEAR(std::sqrt(growth_N2 / (squares_N2 / 36)), 2.02809, 0.005);
+  }
+  // The linear one would say something else.
+  EXPECT_GT(std::abs(lambda.high - lambda.value - 2.02809 * lambda.standard_error),
+            0.1 * lambda.standard_error);
+}
+
+TEST(LawFit, AnExponentBeyondWhatIsSearchedIsFixedAtTheLimit) {
+  std::vector<double> depth_m, force_N;
+  for (int i = 1; i <= 12; ++i) {
+    depth_m.push_back(0.001 * i);
+    force_N.push_back(std::pow(i / 12.0, 15));
+  }
+  const LawFit fit = fitted(curveOf(depth_m, force_N), kQuasiStatic);
+  EXPECT_EQ(fit.law().n, 8);
+  EXPECT_FALSE(fit.of(FitParameter::n).free);
+  ASSERT_FALSE(fit.notes.empty());
+  EXPECT_EQ(
+      fit.notes[0],
+      "n cannot be identified from this data: the least squares lie at a limit of what is searched, 0.2 to "
+      "8; it is fixed there");
+}
+
 TEST(LawFit, SaysWhenLambdaCannotBeIdentifiedAndStillFindsTheExponent) {
   // 30 s for a press of 3 mm: about 0.3 mm/s at most.
   MeasuredCurve curve = presses(60, {0.003}, 30);

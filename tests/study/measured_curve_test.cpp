@@ -77,6 +77,19 @@ TEST(MeasuredCurve, RatesAreTakenOverTheRowsBeforeContactToo) {
   EXPECT_NEAR(curves[0].rate_m_s[1], 0.2, 1e-12);
 }
 
+TEST(MeasuredCurve, CurvesAreJoinedWithTheirRatesButNotTheirTimes) {
+  const auto curves = curvesOf("probe,time_s,depth_mm,force_N\na,0,1,1\na,1,2,2\nb,0,1,3\nb,2,2,4\n");
+  const MeasuredCurve all = joined(curves);
+  EXPECT_EQ(all.force_N, (Numbers{1, 2, 3, 4}));
+  EXPECT_TRUE(all.time_s.empty());
+  ASSERT_EQ(all.rate_m_s.size(), 4u);
+  EXPECT_NEAR(all.rate_m_s[3], 0.0005, 1e-15);
+  const auto slow = curvesOf("depth_mm,force_N\n1,1\n");
+  EXPECT_TRUE(joined({curves[0], slow[0]}).rate_m_s.empty());
+  const auto deepless = curvesOf("time_s,force_N\n1,1\n");
+  EXPECT_THROW(joined({curves[0], deepless[0]}), InputError);
+}
+
 TEST(MeasuredCurve, WarnsOfUnitsThatMayBeWrong) {
   const auto warning = [](const std::string& text) {
     const auto curves = curvesOf(text);
