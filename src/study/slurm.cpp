@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -77,7 +78,7 @@ std::string submitJob(const std::vector<std::string>& arguments) {
   std::vector<std::string> words = {"--parsable"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   const std::string answer = said("sbatch", words);  // the id, on some clusters ";" and the cluster's name
-  const std::string id = answer.substr(0, answer.find_first_not_of("0123456789"));
+  std::string id = answer.substr(0, answer.find_first_not_of("0123456789"));
   if (id.empty()) throw RunError("sbatch: names no job");
   return id;
 }

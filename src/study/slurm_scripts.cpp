@@ -1,5 +1,6 @@
 #include "study/slurm_scripts.h"
 
+#include <algorithm>
 #include <regex>
 
 #include "base/error.h"

@@ -151,6 +151,28 @@ TEST_F(SlurmTest, LimitsTheNumberOfShards) {
   EXPECT_TRUE(says(folder_.read("d/slurm/array.sbatch"), "\nshards=1\n"));
 }
 
+// 100,000 simulations of a millisecond or so: far more shards would be of use than an array takes.
+TEST_F(SlurmTest, PlansAHundredThousandSimulationsInSecondsAndAFewFiles) {
+  folder_.write(
+      "blades.yaml",
+      "format: 1\nname: blades\nbase: press.yaml\naxes:\n"
+      "  - {path: bodies.sphere.mass_kg, linear: {from: 0.05, to: 0.2, count: 1000}}\n"
+      "  - {path: tools.spatula.motion.segments.0.speed_m_s, linear: {from: 0.1, to: 1, count: 100}}\n");
+  const auto start = std::chrono::steady_clock::now();
+  const Outcome outcome = sweep({"blades.yaml", "-o", "d", "--engine", "slurm", "--shard-minutes", "0.01"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_TRUE(says(outcome.out, "100000 runs in 100000 simulations")) << outcome.out;
+  EXPECT_TRUE(says(outcome.out, "shards would be right, this cluster takes 1000 in")) << outcome.out;
+  EXPECT_TRUE(says(calls(), "[--array=1-1000]"));
+  const Outcome resumed = sweep({"d", "--shard", "1/100000"});
+  EXPECT_TRUE(says(resumed.out, "to do: 1 of 100000 simulations")) << resumed.out << resumed.err;
+  const Outcome status = sweep({"status", "d"});
+  EXPECT_TRUE(says(status.out, "99999 missing, 1 ok")) << status.out;
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+  const auto files = std::distance(fs::recursive_directory_iterator(folder_ / "d"), {});
+  EXPECT_LT(files, 10) << "what a resumption opens: the plan, a journal a session, the sbatch files";
+}
+
 TEST_F(SlurmTest, ScriptsAreKeptAsTheyWereEdited) {
   ASSERT_EQ(first().code, 0);
   const std::string array = folder_.read("d/slurm/array.sbatch");
