@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "main/text_table.h"
+#include "study/law_model.h"
 
 namespace fissure {
 
@@ -38,7 +39,8 @@ class Ranker {
  public:
   Ranker(const SweepTable& table, MatchBy by)
       : table_(table), by_(by), force_(curveOf(table, "force", "which is compared")) {
-    if (by == MatchBy::depth) way_ = &curveOf(table, "indentation", "which measured depths are compared with");
+    if (by == MatchBy::depth)
+      way_ = &curveOf(table, "indentation", "which measured depths are compared with");
   }
 
   double deepest_m() const {

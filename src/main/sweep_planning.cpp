@@ -9,9 +9,12 @@
 #include "main/run_plan.h"
 #include "main/scenario_input.h"
 #include "process/engine_program.h"
+#include "scenario/did_you_mean.h"
 #include "scenario/scalars.h"
+#include "scenario/text_file.h"
 #include "store/temporary_file.h"
 #include "study/run_recorder.h"
+#include "study/sweep_misfit.h"
 #include "study/sweep_plan.h"
 #include "study/sweep_state.h"
 
@@ -98,6 +101,7 @@ class Planner {
     if (manifest_.points.size() == 0)
       throw InputError(file_.string() + ": exclude leaves no point, expected some");
     addEngines();
+    addFit();
     checkPoints();
   }
 
@@ -113,6 +117,20 @@ class Planner {
       precisions = {"f32", "f64"};
     for (const std::string& precision : precisions)
       manifest_.engines[precision] = hashOf(engineProgram(precision));
+  }
+
+  void addFit() {
+    const std::optional<SweepFit>& fit = manifest_.settings.fit;
+    if (!fit) return;
+    const fs::path curve = manifest_.settings.directory / fit->curve;
+    manifest_.measured = readTextFile(curve);
+    const std::vector<ForceSettings>& laws = base_.scenario.force;
+    std::vector<std::string> names;
+    for (const ForceSettings& law : laws) names.push_back(law.name);
+    if (fit->law && std::find(names.begin(), names.end(), *fit->law) == names.end())
+      throw InputError(file_.string() + ": fit.law: no force law \"" + *fit->law + "\"" +
+                       didYouMean(*fit->law, names));
+    SweepMisfit(*fit, names, curve);
   }
 
   void checkPoints() {

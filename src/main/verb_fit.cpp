@@ -12,6 +12,7 @@
 #include "process/apart.h"
 #include "scenario/did_you_mean.h"
 #include "scenario/scalars.h"
+#include "study/simulated_model.h"
 
 namespace fissure {
 

@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "study/match_by.h"
 #include "study/measured_curve.h"
-#include "study/simulated_model.h"
 
 namespace fissure {
 

@@ -8,6 +8,7 @@
 #include "scenario/pipelines.h"
 #include "store/force_inputs.h"
 #include "study/law_model.h"
+#include "study/match_by.h"
 
 namespace fissure {
 
@@ -22,10 +23,6 @@ struct SimulatedRun {
 /// Reads a run of a result, the only one for an empty name. Throws InputError when there is no such run, or
 /// it was not recorded with `record: {force_inputs: true}`.
 SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::string& run);
-
-/// Where a measured point and a simulation meet: at one time since the start, or at one depth, the way of the
-/// tool until it is deepest.
-enum class MatchBy { time, depth };
 
 /// A law summed over the triangles of a simulation, at the points of a measured curve.
 struct SimulatedFit {

@@ -28,6 +28,15 @@ const std::vector<CatalogEntry>& designs() {
   return table;
 }
 
+/// In the order of MatchBy.
+const std::vector<CatalogEntry>& matches() {
+  static const std::vector<CatalogEntry> table = {
+      {"time", "at equal times"},
+      {"depth", "where the tool has gone as deep since it touched"},
+  };
+  return table;
+}
+
 const std::vector<CatalogEntry>& keeps() {
   static const std::vector<CatalogEntry> table = {
       {"metrics", "the row of the table, and curves"},
@@ -97,6 +106,15 @@ void describe(Io& io, SweepCurves& curves) {
 }
 
 template <class Io>
+void describe(Io& io, SweepFit& fit) {
+  io.required("curve", fit.curve);
+  io.field("columns", fit.columns);
+  io.choice("match", fit.match, matches());
+  io.field("law", fit.law);
+  io.field("free_offset", fit.free_offset);
+}
+
+template <class Io>
 void describe(Io& io, SweepLimits& limits) {
   io.field("time_s", limits.time_s);
   io.field("memory_mb", limits.memory_mb);
@@ -118,6 +136,7 @@ void describe(Io& io, SweepSettings& sweep) {
   io.field("repeats", sweep.repeats);
   io.choice("keep", sweep.keep, keeps());
   io.field("curves", sweep.curves);
+  io.field("fit", sweep.fit);
   io.field("limits", sweep.limits);
 }
 
@@ -171,12 +190,27 @@ class SweepChecker {
       expect(*time_s > 0, "limits", "time_s", *time_s, "a number above 0");
     if (const auto& memory_mb = sweep_.limits.memory_mb)
       expect(*memory_mb > 0, "limits", "memory_mb", *memory_mb, "a number above 0");
+    if (sweep_.fit) checkFit();
     if (!sweep_.curves) return;
     const double every_s = sweep_.curves->every_s;
     expect(every_s > 0, "curves", "every_s", every_s, "a number above 0");
     const double until_s = sweep_.curves->until_s.value_or(every_s);
     expect(until_s >= every_s, "curves", "until_s", until_s, "at least every_s");
     expect(until_s / every_s < 1e6, "curves", "until_s", until_s, "fewer than a million times");
+  }
+
+  /// What is compared must be kept.
+  void checkFit() const {
+    const bool by_depth = sweep_.fit->match == MatchBy::depth;
+    for (const char* needed : {"force", "indentation"}) {
+      if (needed == std::string("indentation") && !by_depth) continue;
+      const bool kept =
+          sweep_.curves && std::find(sweep_.curves->quantities.begin(), sweep_.curves->quantities.end(),
+                                     needed) != sweep_.curves->quantities.end();
+      if (!kept)
+        failAt(root_.find("fit")->origin,
+               std::string("fit compares the curve ") + needed + ", expected it among curves.quantities");
+    }
   }
 
   void checkGroup(const YamlNode& node, const AxisGroup& group) {

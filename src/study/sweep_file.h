@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "study/match_by.h"
+
 namespace fissure {
 
 /// Numbers from `from` to `to`, both among them, evenly spaced or by equal factors.
@@ -58,6 +60,15 @@ struct SweepLimits {
   std::optional<double> memory_mb;  ///< of data a worker may hold, MiB
 };
 
+/// A measured curve that the runs' forces are held against.
+struct SweepFit {
+  std::string curve;                   ///< file as `fissure fit` reads it, relative to the sweep's
+  std::optional<std::string> columns;  ///< as --columns of `fissure fit`; default: by their names
+  MatchBy match = MatchBy::depth;      ///< over the curve `indentation`, or over time
+  std::optional<std::string> law;      ///< of the scenario; default: its first
+  bool free_offset = true;             ///< F0 is the one of the least misfit, else 0
+};
+
 /// What is kept of each simulation beside its row of the table.
 enum class SweepKeep { metrics, results };
 
@@ -76,6 +87,7 @@ struct SweepSettings {
   int repeats = 1;           ///< of every simulation: for its timings, and to see that all else is equal
   SweepKeep keep = SweepKeep::metrics;
   std::optional<SweepCurves> curves;
+  std::optional<SweepFit> fit;
   SweepLimits limits;
   std::string source;               ///< the file, verbatim
   std::filesystem::path directory;  ///< of the sweep file

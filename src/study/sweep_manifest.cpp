@@ -33,6 +33,14 @@ void readSettings(const ordered_json& json, SweepSettings& settings) {
   settings.repeats = json.at("repeats");
   take(json.at("limits"), "time_s", settings.limits.time_s);
   take(json.at("limits"), "memory_mb", settings.limits.memory_mb);
+  if (const ordered_json& fit = json.at("fit"); !fit.is_null()) {
+    settings.fit.emplace();
+    settings.fit->curve = fit.at("curve");
+    take(fit, "columns", settings.fit->columns);
+    settings.fit->match = fit.at("match") == "time" ? MatchBy::time : MatchBy::depth;
+    take(fit, "law", settings.fit->law);
+    settings.fit->free_offset = fit.at("free_offset");
+  }
   const ordered_json& curves = json.at("curves");
   if (curves.is_null()) return;
   settings.curves.emplace();
@@ -63,6 +71,7 @@ SweepManifest fromJson(const ordered_json& json) {
   for (const ordered_json& curve : json.at("curve_quantities"))
     manifest.curves.push_back(
         {curve.at("name"), curve.at("units"), curve.at("long_name"), curve.at("per_law")});
+  manifest.measured = json.at("measured");
   manifest.points = readPoints(json);
   if (manifest.pipelines.empty() || manifest.settings.repeats < 1) throw std::out_of_range("no run is in it");
   return manifest;
@@ -81,6 +90,13 @@ std::string manifestText(const SweepManifest& manifest) {
     curves = {{"quantities", settings.curves->quantities},
               {"every_s", settings.curves->every_s},
               {"until_s", orNull(settings.curves->until_s)}};
+  ordered_json fit;
+  if (settings.fit)
+    fit = {{"curve", settings.fit->curve},
+           {"columns", orNull(settings.fit->columns)},
+           {"match", settings.fit->match == MatchBy::time ? "time" : "depth"},
+           {"law", orNull(settings.fit->law)},
+           {"free_offset", settings.fit->free_offset}};
   ordered_json quantities = ordered_json::array();
   for (const CurveQuantity& curve : manifest.curves)
     quantities.push_back({{"name", curve.name},
@@ -98,6 +114,8 @@ std::string manifestText(const SweepManifest& manifest) {
       {"keep", static_cast<int>(settings.keep)},
       {"curves", curves},
       {"curve_quantities", quantities},
+      {"fit", fit},
+      {"measured", manifest.measured},
       {"limits",
        {{"time_s", orNull(settings.limits.time_s)}, {"memory_mb", orNull(settings.limits.memory_mb)}}},
       {"directory", manifest.directory},

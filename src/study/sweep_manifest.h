@@ -19,6 +19,7 @@ struct SweepManifest {
   std::map<std::string, std::string> inputs;   ///< meshes and logs, named from `directory`, and their hashes
   std::map<std::string, std::string> engines;  ///< hash of the worker program, by its precision
   std::vector<std::string> pipelines;          ///< names of the entries that are run
+  std::string measured;                        ///< the file that the settings' fit names, verbatim
   std::vector<CurveQuantity> curves;           ///< what the settings' curves are
   SweepPoints points;
 };

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <fstream>
 #include <list>
 #include <set>
+#include <span>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -13,6 +15,7 @@
 #include "store/sweep_names.h"
 #include "store/sweep_table_writer.h"
 #include "study/run_recorder.h"
+#include "study/sweep_misfit.h"
 
 namespace fissure {
 
@@ -139,6 +142,38 @@ void fillNumbers(const TaskRows& rows, std::size_t row, const std::vector<SweepM
   run.curves.assign(first, first + width);
 }
 
+constexpr const char* misfit_metric = "misfit_N";
+constexpr const char* offset_metric = "misfit_F0_N";
+
+/// Of the sweep's measured curve, which is read from a copy in `work`.
+std::optional<SweepMisfit> misfitOf(const SweepPlan& plan, const std::filesystem::path& work) {
+  const SweepManifest& manifest = plan.manifest();
+  if (!manifest.settings.fit) return std::nullopt;
+  const std::filesystem::path copy = work / std::filesystem::path(manifest.settings.fit->curve).filename();
+  std::ofstream stream(copy, std::ios::binary);
+  stream << manifest.measured;
+  if (!stream.flush()) throw RunError(copy.string() + ": cannot write, is the disk full?");
+  std::vector<std::string> laws;
+  for (const ForceSettings& law : plan.base().scenario.force) laws.push_back(law.name);
+  return SweepMisfit(*manifest.settings.fit, laws, copy);
+}
+
+void fillMisfit(const SweepMisfit& misfit, const SweepTableLayout& layout, SweepRun& run) {
+  std::span<const double> force_N, way_m;
+  std::size_t at = 0;
+  for (const SweepCurve& curve : layout.curves) {
+    const std::span<const double> values(run.curves.data() + at, layout.width(curve));
+    if (curve.name == "force") force_N = values;
+    if (curve.name == "indentation") way_m = values;
+    at += values.size();
+  }
+  const Misfit found = misfit.of(layout.curve_time_s, force_N, way_m);
+  for (std::size_t m = 0; m < layout.metrics.size(); ++m) {
+    if (layout.metrics[m].name == misfit_metric) run.metrics[m] = found.rms_N;
+    if (layout.metrics[m].name == offset_metric) run.metrics[m] = found.F0_N;
+  }
+}
+
 }  // namespace
 
 std::filesystem::path tableFile(const std::filesystem::path& folder) {
@@ -158,12 +193,16 @@ std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepS
 void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std::filesystem::path& folder,
                       const Provenance& provenance) {
   const SweepManifest& manifest = plan.manifest();
-  const SweepTableLayout layout = layoutOf(plan, metricsOf(plan, state), provenance);
+  const JournalWriter place(journalFolder(folder));  // for its folder alone
+  std::vector<SweepMetric> metrics = metricsOf(plan, state);
+  const std::optional<SweepMisfit> misfit = misfitOf(plan, place.work());
+  if (misfit) metrics.insert(metrics.end(), {{misfit_metric}, {offset_metric}});
+  SweepTableLayout layout = layoutOf(plan, std::move(metrics), provenance);
+  if (misfit) layout.measured_N = misfit->at(layout.curve_time_s);
   std::size_t width = 0;
   for (const SweepCurve& curve : layout.curves) width += layout.width(curve);
   RecordCache cache(state, layout.metrics);
   bool complete = true;
-  const JournalWriter place(journalFolder(folder));  // for its folder alone
   SweepTableWriter writer(tableFile(place.work()), layout);
   for (std::size_t i = 0; i < plan.runs(); ++i) {
     const PlannedRun planned = plan.run(i);
@@ -182,6 +221,7 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
     run.metrics.assign(layout.metrics.size(), kMissing);
     run.curves.assign(width, kMissing);
     if (task.finished) fillNumbers(cache.at(planned.task), planned.law, layout.metrics, run);
+    if (task.finished && misfit) fillMisfit(*misfit, layout, run);
     complete &= task.place.has_value();
     writer.append(run);
   }

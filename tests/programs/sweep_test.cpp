@@ -99,6 +99,31 @@ TEST(Sweep, KeptResultsAreThoseOfARun) {
             textsOf(folder / "one.h5").at("final_state_hash"));
 }
 
+TEST(Sweep, RunsAreHeldAgainstAMeasuredCurve) {
+  const Folder folder;
+  folder.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", laws));
+  folder.write("s.yaml", sweepOf("axes: [{path: force.hc.k, values: [100, 300, 200]}]\n"
+                                 "curves: {quantities: [force, indentation], every_s: 0.001}\n"
+                                 "fit: {curve: measured.csv, match: time, free_offset: false}\n"));
+  folder.write("measured.csv", "time_s,force_N\n");
+  EXPECT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 2);
+  ASSERT_EQ(runFissure(folder, {"run", "press.yaml", "-o", "one.h5"}).code, 0);  // k = 200
+  std::string measured = "time_s,force_N\n";
+  const std::vector<double> force_N = forceCurve(folder / "one.h5", "fukuhara", {0.01, 0.02, 0.03});
+  for (int i = 0; i < 3; ++i)
+    measured += std::to_string(0.01 * (i + 1)) + "," + std::to_string(force_N[i]) + "\n";
+  folder.write("measured.csv", measured);
+  ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
+  fs::remove(folder / "measured.csv");  // the plan has it
+  ASSERT_EQ(runFissure(folder, {"sweep", "merge", "out"}).code, 0);
+  const SweepTable table(folder / "out/sweep.h5");
+  const std::vector<double> misfit_N = table.numbers("misfit_N");
+  EXPECT_LT(misfit_N[2], 1e-5);
+  EXPECT_GT(misfit_N[0], 0.01);
+  EXPECT_GT(misfit_N[1], misfit_N[2]);
+  EXPECT_EQ(table.layout().measured_N.size(), table.layout().curve_time_s.size());
+}
+
 TEST(Sweep, WhatFailsIsARowAndTheOthersGoOn) {
   const Folder folder;
   folder.write("press.yaml", pressScenario());

@@ -159,6 +159,8 @@ TEST_F(ManifestTest, ReadsBackAsItWas) {
   manifest.settings.curves->until_s = 1.0 / 3;
   manifest.curves = {{"force", "N", "magnitude", true}};
   manifest.inputs["a b.obj"] = "fnv1a64:5";
+  manifest.settings.fit = SweepFit{"a.csv", "depth=1:mm,force=2:N", MatchBy::time, "lin", false};
+  manifest.measured = "d,f\n1,2\n";
   write(manifestText(manifest));
   const SweepManifest back = readManifest(folder_);
   EXPECT_EQ(manifestText(back), manifestText(manifest));
@@ -166,6 +168,9 @@ TEST_F(ManifestTest, ReadsBackAsItWas) {
   EXPECT_EQ(back.settings.keep, SweepKeep::results);
   EXPECT_EQ(back.settings.limits.time_s, 2.5);
   EXPECT_FALSE(back.settings.limits.memory_mb);
+  EXPECT_EQ(back.settings.fit->match, MatchBy::time);
+  EXPECT_EQ(back.settings.fit->law, "lin");
+  EXPECT_EQ(back.measured, "d,f\n1,2\n");
   EXPECT_EQ(idsOf({back, "folder"}), idsOf({manifest, "folder"}));
 }
 
