@@ -349,7 +349,9 @@ function mapLegend() {
 function mapSection() {
   if (varying.length === 0 || metrics.length === 0) return;
   [maps.x, maps.y] = [varying[0], varying[1] ?? null];
-  maps.metric = metricNamed('max_penetration_depth_m') ?? metrics.find(metric => metric.min < metric.max) ?? metrics[0];
+  const differing = metrics.filter(metric => metric.min < metric.max);  // one colour throughout says nothing
+  maps.metric = ['misfit_N', 'max_penetration_depth_m', 'max_force_N'].map(metricNamed)
+    .find(metric => differing.includes(metric)) ?? differing[0] ?? metrics[0];
   maps.readout = element('p', {class: 'readout', 'aria-live': 'polite'},
     'Point at a map, tap it, or step over it with the arrow keys: the run is read out here, and shown below.');
   maps.barTitle = element('span', {class: 'soft'});
