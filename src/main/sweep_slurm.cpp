@@ -36,10 +36,17 @@ void put(const fs::path& path, const std::string& text) {
   }
 }
 
+/// Shards with a task among `tasks`.
 std::string rangesOf(const std::vector<std::size_t>& tasks, std::size_t shards) {
   std::set<std::size_t> missing;
   for (const std::size_t task : tasks) missing.insert(task % shards + 1);
   return arrayRanges({missing.begin(), missing.end()});
+}
+
+/// For people.
+std::string shortened(const std::string& ranges) {
+  constexpr std::size_t most = 60;
+  return ranges.size() <= most ? ranges : ranges.substr(0, ranges.rfind(',', most)) + ",...";
 }
 
 std::string words(const std::vector<std::string>& arguments) {
@@ -163,7 +170,7 @@ std::string SlurmSubmission::submitArray(const std::string& ranges, std::size_t 
   arguments.push_back("--chdir=" + fs::absolute(folder_).string());
   arguments.push_back(fs::absolute(arrayScriptFile(folder_)).string());
   const SlurmJob job = {submitJob(arguments), "array", ranges + "/" + std::to_string(shards)};
-  out << "slurm: job " << job.id << " runs shards " << ranges << " of " << shards << "\n";
+  out << "slurm: job " << job.id << " runs shards " << shortened(ranges) << " of " << shards << "\n";
   queued_.push_back({job, ""});
   recordJob(folder_, job);
   return job.id;
@@ -209,7 +216,7 @@ Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::
     const std::size_t each = (tasks.size() + script.shards - 1) / script.shards;
     out << ", about " << durationText(estimate.total_s(each, slots_)) << " each";
   }
-  out << (ranges.empty() ? "; nothing is missing" : "; to run: " + ranges) << "\n";
+  out << (ranges.empty() ? "; nothing is missing" : "; to run: " + shortened(ranges)) << "\n";
   Submitted submitted = {script.shards, ranges, "", ""};
   if (options_.dry_run) return submitted;
   writeScripts(script, out);

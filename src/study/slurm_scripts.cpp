@@ -199,6 +199,8 @@ std::string arrayRanges(const std::vector<std::size_t>& indices) {
     if (last > i) ranges += "-" + std::to_string(indices[last]);
     i = last + 1;
   }
+  constexpr std::size_t longest = 16000;  // far below what one word of a command may have
+  if (ranges.size() > longest) return std::to_string(indices.front()) + "-" + std::to_string(indices.back());
   return ranges;
 }
 

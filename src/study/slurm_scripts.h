@@ -37,7 +37,8 @@ std::string withShards(std::string text, const ArrayScript& script);
 /// Whether a merge script is as mergeScriptText() writes it, for this or another program.
 bool isUneditedMergeScript(const std::string& text, const std::string& sweep);
 
-/// Numbers in increasing order as sbatch wants them: "1,4-7".
+/// Shards in increasing order as sbatch wants them: "1,4-7". Where that would be thousands of numbers, all
+/// from the first to the last: those that miss nothing end at once.
 std::string arrayRanges(const std::vector<std::size_t>& indices);
 
 }  // namespace fissure

@@ -3,7 +3,7 @@
 
     cluster.py FOLDER [--nodes 2] [--cpus 2]      starts it, prints "ready", and ends it when its standard input does
 
-All its files lie in FOLDER (a short path, without blanks). SLURM_CONF=FOLDER/slurm.conf makes sbatch and the others use it. Whatever
+All its files lie in FOLDER, which it makes (a short path, without blanks). SLURM_CONF=FOLDER/slurm.conf makes sbatch and the others use it. Whatever
 runs in it is a descendant of this process, which adopts orphans: when the one who started it is killed, its standard input ends, and
 all of them are killed.
 """
@@ -101,8 +101,9 @@ def name_space():
 class Cluster:
     def __init__(self, folder, nodes, cpus, array_size, node_timeout):
         self.folder, self.nodes = folder, nodes
+        folder.mkdir()  # not one that another cluster may still use
         for name in ("munge", "state", "log", *(f"spool-n{i + 1}" for i in range(nodes))):
-            (folder / name).mkdir(parents=True, exist_ok=True)
+            (folder / name).mkdir()
         folder.chmod(0o755)
         (folder / "munge").chmod(0o711)
         self.prefix, host = name_space()

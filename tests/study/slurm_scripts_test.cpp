@@ -61,6 +61,9 @@ TEST(SlurmScripts, RangesOfAnArray) {
   EXPECT_EQ(arrayRanges({}), "");
   EXPECT_EQ(arrayRanges({3}), "3");
   EXPECT_EQ(arrayRanges({1, 2, 4, 6, 7, 8}), "1-2,4,6-8");
+  std::vector<std::size_t> odd;
+  for (std::size_t i = 3; i < 20000; i += 2) odd.push_back(i);
+  EXPECT_EQ(arrayRanges(odd), "3-19999") << "sbatch could not even be called with the others";
 }
 
 }  // namespace
