@@ -88,6 +88,17 @@ void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
       ->type_name("-- OPTIONS");
 }
 
+void refuseSlurmOptions(const SlurmOptions& options) {
+  const auto refuse = [](bool given, const std::string& what) {
+    if (given) throw InputError("sweep: " + what + " was not expected without --engine slurm");
+  };
+  refuse(options.shards.has_value(), "--shards");
+  refuse(options.shard_minutes.has_value(), "--shard-minutes");
+  refuse(options.no_submit, "--no-submit");
+  refuse(options.again, "--again");
+  refuse(!options.sbatch.empty(), options.sbatch.empty() ? "" : options.sbatch.front());
+}
+
 SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::optional<int> slots)
     : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
   refuseOwnOptions(options_.sbatch);

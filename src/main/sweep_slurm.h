@@ -26,6 +26,9 @@ struct SlurmOptions {
 /// All but dry_run.
 void addSlurmOptions(CLI::App& command, SlurmOptions& options);
 
+/// For another engine: throws InputError when any is given.
+void refuseSlurmOptions(const SlurmOptions& options);
+
 /// What was submitted.
 struct Submitted {
   std::size_t shards = 1;

@@ -204,9 +204,7 @@ nlohmann::ordered_json submittedJson(const Submitted& submitted) {
 /// For the engine Slurm; nothing for this machine.
 std::optional<SlurmSubmission> submissionOf(const SweepOptions& options, const fs::path& folder) {
   if (options.slurm.engine != "slurm") {
-    if (!options.slurm.sbatch.empty())
-      throw InputError("sweep: " + options.slurm.sbatch.front() +
-                       " was not expected; options of sbatch need --engine slurm");
+    refuseSlurmOptions(options.slurm);
     return std::nullopt;
   }
   if (!options.shard.empty()) throw InputError("--shard: expected not with --engine slurm, but --shards");

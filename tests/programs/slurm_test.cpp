@@ -227,6 +227,16 @@ TEST_F(SlurmTest, OptionsThatDoNotFit) {
     EXPECT_EQ(outcome.code, 2) << words.front();
     EXPECT_TRUE(isOneLine(outcome.err)) << outcome.err;
   }
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{{"--shards", "2"},
+                                                                                     {"--shard-minutes", "2"},
+                                                                                     {"--no-submit"},
+                                                                                     {"--again"},
+                                                                                     {"word"},
+                                                                                     {"--", "-x"}}) {
+    std::vector<std::string> all = {"blades.yaml", "-o", "d"};
+    all.insert(all.end(), words.begin(), words.end());
+    EXPECT_EQ(sweep(all).code, 2) << words.front();
+  }
   EXPECT_FALSE(fs::exists(folder_ / "d"));
 }
 
