@@ -193,12 +193,25 @@ nlohmann::ordered_json sessionJson(const SessionCounts& counts, int code) {
       {"exit_code", code}, {"ok", counts.ok}, {"failed", counts.failed}, {"interrupted", counts.interrupted}};
 }
 
-nlohmann::ordered_json submittedJson(const Submitted& submitted) {
-  return {{"exit_code", exit_good},
-          {"shards", submitted.shards},
-          {"missing", submitted.missing},
-          {"array_job", submitted.array_job},
-          {"merge_job", submitted.merge_job}};
+int finishShard(const SweepOptions& options, const SessionCounts& counts, std::ostream& out) {
+  const int code = counts.failed > 0 ? exit_run_failed : exit_good;
+  out << "shard " << options.shard << ": " << counts.ok << " ok, " << counts.failed << " failed\n";
+  if (options.json) std::cout << jsonText(sessionJson(counts, code));
+  return code;
+}
+
+void printSubmitted(const Submitted& submitted) {
+  std::cout << jsonText({{"exit_code", exit_good},
+                         {"shards", submitted.shards},
+                         {"missing", submitted.missing},
+                         {"array_job", submitted.array_job},
+                         {"merge_job", submitted.merge_job}});
+}
+
+/// For how many simulations it is worth to time some first.
+std::size_t timedFrom(const SweepOptions& options, int slots, std::size_t tasks) {
+  if (!options.shard.empty()) return tasks + 1;  // nobody waits for a word from a shard
+  return options.dry_run || options.slurm.engine == "slurm" ? 1 : 8 * static_cast<std::size_t>(slots);
 }
 
 /// For the engine Slurm; nothing for this machine.
@@ -233,15 +246,13 @@ int runSweep(const SweepOptions& options) {
 
   std::ostream& out = options.json ? std::cerr : std::cout;
   printPlan(plan, out);
-  std::size_t timed_from = 8 * static_cast<std::size_t>(slots);
-  if (options.dry_run || slurm) timed_from = 1;
-  if (!options.shard.empty()) timed_from = tasks.size() + 1;  // nobody waits for a word from a shard
-  const SweepEstimate estimate = estimateSweep(plan, state, tasks, timed_from, interrupt);
+  const SweepEstimate estimate =
+      estimateSweep(plan, state, tasks, timedFrom(options, slots, tasks.size()), interrupt);
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {
     if (interrupt.requested()) return exit_interrupted;
     const Submitted submitted = slurm->submit(plan, tasks, estimate, out);
-    if (options.json) std::cout << jsonText(submittedJson(submitted));
+    if (options.json) printSubmitted(submitted);
     return exit_good;
   }
   out.flush();
@@ -265,10 +276,7 @@ int runSweep(const SweepOptions& options) {
     return exit_interrupted;
   }
   if (options.shard.empty()) return finish(plan, folder, options.json, options.command_line);
-  const int code = counts.failed > 0 ? exit_run_failed : exit_good;
-  out << "shard " << options.shard << ": " << counts.ok << " ok, " << counts.failed << " failed\n";
-  if (options.json) std::cout << jsonText(sessionJson(counts, code));
-  return code;
+  return finishShard(options, counts, out);
 }
 
 struct FolderOptions {

@@ -89,9 +89,9 @@ std::string arrayScriptText(const ArrayScript& script) {
 # Each array task runs what its shard still misses; the journals of the sweep say what that is, never Slurm. A
 # task may be killed, requeued or run twice at the same time: nothing is lost, and the table is the same.
 #
-# `fissure sweep FOLDER --engine slurm` submits the shards that miss something. It keeps this file as you edit it,
-# but for the number of shards, and writes it anew where it is missing. By hand, from the sweep's folder:
-#   sbatch slurm/array.sbatch
+# `fissure sweep FOLDER --engine slurm` submits the shards that miss something. It keeps this file as you
+# edit it, but for the number of shards, and writes it anew where it is missing. By hand, from the sweep's
+# folder: sbatch slurm/array.sbatch
 #
 #SBATCH --job-name=fissure-)" +
          script.sweep + "\n" + arrayLine(script) +
@@ -101,7 +101,7 @@ std::string arrayScriptText(const ArrayScript& script) {
 #SBATCH --requeue
 #SBATCH --signal=B:USR1@120
 #
-# What your cluster wants: take one # away where you need a line. For eight shards at a time: --array=1-N%8 above.
+# What your cluster wants: take one # away where you need a line. For eight shards at a time: --array=1-N%8.
 ##SBATCH --partition=NAME
 ##SBATCH --account=NAME
 ##SBATCH --time=02:00:00
@@ -139,8 +139,9 @@ std::string mergeScriptText(const std::string& sweep, const std::string& program
   return R"(#!/bin/bash
 # Sweep )" +
          sweep +
-         R"(: writes sweep.h5 and sweep.csv of all that is finished; exit code 3 where runs are missing or failed.
-# It starts when the array has ended, however it did. By hand, from the sweep's folder: sbatch slurm/merge.sbatch
+         R"(: writes sweep.h5 and sweep.csv of all that is finished. Exit code 3: runs are missing or failed.
+# It starts when the array has ended, however it did. By hand, from the sweep's folder:
+#   sbatch slurm/merge.sbatch
 #
 #SBATCH --job-name=fissure-)" +
          sweep + R"(-merge
