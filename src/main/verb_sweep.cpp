@@ -200,7 +200,8 @@ int finishShard(const SweepOptions& options, const SessionCounts& counts, std::o
   return code;
 }
 
-void printSubmitted(const Submitted& submitted) {
+void printSubmitted(const Submitted& submitted, bool json) {
+  if (!json) return;
   std::cout << jsonText({{"exit_code", exit_good},
                          {"shards", submitted.shards},
                          {"missing", submitted.missing},
@@ -251,8 +252,7 @@ int runSweep(const SweepOptions& options) {
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {
     if (interrupt.requested()) return exit_interrupted;
-    const Submitted submitted = slurm->submit(plan, tasks, estimate, out);
-    if (options.json) printSubmitted(submitted);
+    printSubmitted(slurm->submit(plan, tasks, estimate, out), options.json);
     return exit_good;
   }
   out.flush();
