@@ -60,6 +60,7 @@ using RecordRow = std::vector<double>;
 struct SummaryValue {
   std::string name;
   std::variant<double, long long, std::string> value;
+  bool of_law = false;  ///< depends on the coefficients of force laws, where these move nothing
 };
 using Summary = std::vector<SummaryValue>;
 

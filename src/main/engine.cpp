@@ -116,7 +116,13 @@ CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
 /// One simulation of a sweep: its record, and its part where a result is kept.
 void workToOrder(const std::string& order_file, const std::string& record, const std::string& part) {
   const TaskOrder order = parseOrder(readTextFile(order_file));
-  const CheckedScenario checked = scenarioOf(order, !part.empty());
+  const CheckedScenario checked = [&] {
+    try {
+      return scenarioOf(order, !part.empty());
+    } catch (const InputError& error) {
+      throw InputError(aboutAxes(error.what()));
+    }
+  }();
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
   checkPrecision(pipeline);
   RunningRun run(checked.loaded, pipeline);

@@ -25,8 +25,9 @@ constexpr double timed_for_s = 2;
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "fissure-XXXXXX").string();
-    if (::mkdtemp(name.data())) path_ = name;
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "fissure-XXXXXX").string();
+    if (!error && ::mkdtemp(name.data())) path_ = name;
   }
   ~ScratchFolder() {
     std::error_code ignored;
@@ -81,7 +82,8 @@ std::optional<double> timeSome(const SweepPlan& plan, const std::vector<std::siz
     std::ofstream(order, std::ios::binary) << orderText(orderOf(plan, task));
     some.push_back({engineProgram(plan.precision(task)),
                     {"--order", order.string(), "--record", order.string() + ".record"},
-                    timed_for_s});
+                    timed_for_s,
+                    plan.manifest().settings.limits.memory_mb.value_or(0)});
   }
   Timing timing;
   WorkerPool(1, interrupt).run(some, timing);
@@ -102,6 +104,24 @@ double bytesOf(const SweepPlan& plan, const std::vector<std::size_t>& tasks) {
   return bytes;
 }
 
+/// As if all were as large as the first that can be run at all.
+double resultBytes(const SweepPlan& plan, const std::vector<std::size_t>& tasks) {
+  constexpr std::size_t most_tried = 100;
+  for (std::size_t i = 0; i < std::min(most_tried, tasks.size()); ++i) {
+    try {
+      LoadedScenario some = parseScenario(plan.manifest().scenario, plan.directory() / "base",
+                                          plan.overridesAt(plan.tasks()[tasks[i]].point));
+      const std::vector<RunPlan> plans =
+          planRuns(checkLoaded("base", std::move(some), {plan.manifest().pipelines, {}, true, false}));
+      double bytes = 0;
+      for (const std::size_t task : tasks) bytes += plans[plan.tasks()[task].entry].bytes();
+      return bytes;
+    } catch (const InputError&) {  // a combination that cannot be run; its row will say so
+    }
+  }
+  return 0;
+}
+
 }  // namespace
 
 double SweepEstimate::total_s(std::size_t tasks, int slots) const {
@@ -114,13 +134,7 @@ SweepEstimate estimateSweep(const SweepPlan& plan, const SweepState& state,
   SweepEstimate estimate;
   if (tasks.empty()) return estimate;
   estimate.bytes = bytesOf(plan, tasks);
-  if (plan.manifest().settings.keep == SweepKeep::results) {
-    LoadedScenario base = parseScenario(plan.manifest().scenario, plan.directory() / "base",
-                                        plan.overridesAt(plan.tasks()[tasks.front()].point));
-    const std::vector<RunPlan> plans =
-        planRuns(checkLoaded("base", std::move(base), {plan.manifest().pipelines, {}, true, false}));
-    for (const std::size_t task : tasks) estimate.bytes += plans[plan.tasks()[task].entry].bytes();
-  }
+  if (plan.manifest().settings.keep == SweepKeep::results) estimate.bytes += resultBytes(plan, tasks);
   std::vector<double> known_s;
   for (std::size_t i = 0; i < plan.tasks().size(); ++i)
     if (state.task(i).finished && state.task(i).wall_s > 0) known_s.push_back(state.task(i).wall_s);

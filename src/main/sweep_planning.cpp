@@ -9,6 +9,7 @@
 #include "main/run_plan.h"
 #include "main/scenario_input.h"
 #include "process/engine_program.h"
+#include "scenario/compose.h"
 #include "scenario/did_you_mean.h"
 #include "scenario/scalars.h"
 #include "scenario/text_file.h"
@@ -17,6 +18,7 @@
 #include "study/sweep_misfit.h"
 #include "study/sweep_plan.h"
 #include "study/sweep_state.h"
+#include "study/task_order.h"
 
 namespace fissure {
 
@@ -33,6 +35,7 @@ std::string hashOf(const fs::path& file) {
   return "fnv1a64:" + fnv1a64(bytes);
 }
 
+/// `file` as it is called from `directory`, whatever links lead there.
 std::string nameFrom(const fs::path& directory, const fs::path& file) {
   const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(directory));
   return name.empty() ? fs::weakly_canonical(file).string() : name.generic_string();
@@ -43,14 +46,6 @@ void refuseTooMany(const fs::path& file, double runs, bool many) {
   if (runs > max_sweep_runs) throw InputError(found + ", expected at most " + formatReal(max_sweep_runs));
   if (runs > many_sweep_runs && !many)
     throw InputError(found + ", expected at most " + formatReal(many_sweep_runs) + ", or --yes");
-}
-
-/// An axis is set as an override is, but it is not on the command line.
-std::string aboutAxes(std::string message) {
-  constexpr std::string_view set = "--set ";
-  for (std::size_t at = 0; (at = message.find(set, at)) != std::string::npos;)
-    message.replace(at, set.size(), "axis ");
-  return message;
 }
 
 /// Points in which every value of every axis is at least once.
@@ -84,13 +79,25 @@ bool isFree(const fs::path& folder) {
   return true;
 }
 
+/// Of the sweep whose plan is there; a damaged plan is replaced as if it were `ours`.
+std::string nameIn(const fs::path& folder, const std::string& ours) {
+  try {
+    return readManifest(folder).settings.name;
+  } catch (const DamagedManifest&) {
+    return ours;
+  }
+}
+
 class Planner {
  public:
   Planner(fs::path file, fs::path folder, bool many) : file_(std::move(file)), folder_(std::move(folder)) {
     manifest_.settings = loadSweep(file_);
-    const fs::path base = manifest_.settings.directory / manifest_.settings.base;
-    const CheckedScenario checked = checkScenario(base, {manifest_.settings.pipelines, {}, true, false});
+    base_file_ = (manifest_.settings.directory / manifest_.settings.base).lexically_normal();
+    all_entries_ = loadScenario(base_file_).scenario.pipelines;
+    const CheckedScenario checked =
+        checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false});
     base_ = checked.loaded;
+    scenario_files_ = base_.inputs.size() - parseScenario(base_.composed, base_file_).inputs.size();
     manifest_.scenario = base_.composed;
     manifest_.directory = nameFrom(folder_, base_.scenario.directory);
     for (const PipelineSettings& entry : base_.scenario.pipelines) manifest_.pipelines.push_back(entry.name);
@@ -100,9 +107,12 @@ class Planner {
     manifest_.points = SweepPoints(manifest_.settings);
     if (manifest_.points.size() == 0)
       throw InputError(file_.string() + ": exclude leaves no point, expected some");
+    checkAxes();
+    addCurves();
     addEngines();
     addFit();
-    checkPoints();
+    for (const fs::path& input : parseScenario(base_.composed, base_file_).inputs) addInput(input);
+    if (!takeEarlierPlan()) checkPoints();
   }
 
   SweepManifest take() { return std::move(manifest_); }
@@ -117,6 +127,13 @@ class Planner {
       precisions = {"f32", "f64"};
     for (const std::string& precision : precisions)
       manifest_.engines[precision] = hashOf(engineProgram(precision));
+  }
+
+  void addCurves() {
+    if (!manifest_.settings.curves) return;
+    const RecordLayout layout = layoutOf(base_.scenario, base_.scenario.pipelines.front());
+    manifest_.curves = curveQuantities(manifest_.settings.curves->quantities, layout,
+                                       file_.string() + ": curves.quantities");
   }
 
   void addFit() {
@@ -140,33 +157,152 @@ class Planner {
       for (std::size_t a = 0; a < points.paths().size(); ++a)
         overrides.push_back({points.paths()[a], points.value(point, a)});
       try {
-        checkPoint(parseScenario(base_.composed, base_.scenario.directory / "base", overrides));
+        checkPoint(loadScenario(base_file_, overrides));
       } catch (const InputError& error) {
-        throw InputError(file_.string() + ": " + aboutAxes(error.what()));
+        fail(aboutAxes(error.what()), overrides);
+      }
+    }
+    if (curves_until_s_ && !manifest_.settings.curves->until_s)
+      manifest_.settings.curves->until_s = curves_until_s_;
+  }
+
+  /// With the line of the axis that is named, else with the values of the point.
+  [[noreturn]] void fail(const std::string& message, const std::vector<Override>& overrides) const {
+    for (const AxisGroup& group : manifest_.settings.axes)
+      for (const SweepAxis& axis : group.axes)
+        if (message.find("axis " + axis.path + ":") != std::string::npos)
+          throw InputError(file_.string() + ":" + std::to_string(axis.line) + ": " + message);
+    std::string values;
+    for (const Override& override : overrides)
+      values += (values.empty() ? "" : ", ") + override.path + "=" + override.value;
+    throw InputError(file_.string() + ": with " + values + ": " + message);
+  }
+
+  /// A place of the scenario in one way of writing: items of lists by their number.
+  std::vector<std::string> placeOf(const std::string& path) const {
+    YamlNode root = parseYaml(base_.composed, {base_file_.string(), 1});
+    const YamlNode* node = &root;
+    std::vector<std::string> parts(1), place;
+    for (const char c : path) {
+      if (c == '.')
+        parts.emplace_back();
+      else
+        parts.back() += c;
+    }
+    for (const std::string& part : parts) {
+      place.push_back(part);
+      if (node && node->kind == YamlNode::Kind::list) {
+        for (std::size_t i = 0; i < node->children.size(); ++i)
+          if (itemName(node->children[i]) == part) place.back() = std::to_string(i);
+        const std::optional<int> index = toInt(place.back());
+        const bool known = index && *index >= 0 && static_cast<std::size_t>(*index) < node->children.size();
+        node = known ? &node->children[static_cast<std::size_t>(*index)] : nullptr;
+      } else if (node) {
+        node = node->find(part);
+      }
+    }
+    return place;
+  }
+
+  /// No axis may lie within another one, nor say what is run.
+  void checkAxes() const {
+    std::vector<std::pair<const SweepAxis*, std::vector<std::string>>> seen;
+    for (const AxisGroup& group : manifest_.settings.axes) {
+      for (const SweepAxis& axis : group.axes) {
+        const auto refuse = [&](const std::string& what) {
+          throw InputError(file_.string() + ":" + std::to_string(axis.line) + ": axis " + axis.path + ": " +
+                           what);
+        };
+        const std::vector<std::string> place = placeOf(axis.path);
+        const std::string& first = place.front();
+        if (first == "pipelines") checkEntryAxis(axis, place, refuse);
+        if (first == "name" || first == "format" || first == "base" || first == "description" ||
+            first == "expect")
+          refuse("changes no simulation, expected a place that does");
+        for (const auto& [other, of_other] : seen) {
+          const std::size_t common = std::min(place.size(), of_other.size());
+          if (std::equal(place.begin(), place.begin() + static_cast<std::ptrdiff_t>(common),
+                         of_other.begin()))
+            refuse("is the place of axis " + other->path + " or within it, expected places apart");
+        }
+        seen.emplace_back(&axis, place);
       }
     }
   }
 
+  template <class Refuse>
+  void checkEntryAxis(const SweepAxis& axis, const std::vector<std::string>& place,
+                      const Refuse& refuse) const {
+    if (place.size() < 3 || place.back() == "name")
+      refuse("changes which pipelines there are, expected a setting of one");
+    const std::string part = axis.path.substr(axis.path.find('.') + 1);
+    const std::string entry = part.substr(0, part.find('.'));
+    std::vector<std::string> indices;
+    for (const PipelineSettings& known : all_entries_) indices.push_back(known.name);
+    const std::optional<int> index = toInt(entry);
+    const std::string name = index && *index >= 0 && static_cast<std::size_t>(*index) < indices.size()
+                                 ? indices[static_cast<std::size_t>(*index)]
+                                 : entry;
+    const bool known = std::find(indices.begin(), indices.end(), name) != indices.end();
+    const std::vector<std::string>& runs = manifest_.pipelines;
+    if (known && std::find(runs.begin(), runs.end(), name) == runs.end())
+      refuse("the sweep does not run " + name + ", expected a setting of a pipeline that it runs");
+  }
+
+  /// Its hash goes into the plan; returns its name there.
+  std::string addInput(const fs::path& input) {
+    std::string name = nameFrom(base_.scenario.directory, input);
+    if (!manifest_.inputs.contains(name)) manifest_.inputs[name] = hashOf(input);
+    return name;
+  }
+
   void checkPoint(LoadedScenario loaded) {
+    loaded.inputs.erase(loaded.inputs.begin(),  // the scenario's own files are in the composed text
+                        loaded.inputs.begin() + static_cast<std::ptrdiff_t>(scenario_files_));
     for (const fs::path& input : loaded.inputs) {
-      const std::string name = nameFrom(base_.scenario.directory, input);
-      if (!manifest_.inputs.contains(name)) manifest_.inputs[name] = hashOf(input);
+      const bool known = manifest_.inputs.contains(nameFrom(base_.scenario.directory, input));
+      const std::string name = addInput(input);
+      if (!known) manifest_.axis_inputs.insert(name);
     }
+    std::vector<std::string> names;
+    for (const ForceSettings& law : loaded.scenario.force) names.push_back(law.name);
+    std::vector<std::string> base_names;
+    for (const ForceSettings& law : base_.scenario.force) base_names.push_back(law.name);
+    if (names != base_names)
+      throw InputError("the force laws have other names or another order than in " + base_file_.string() +
+                       ", expected the same laws in every point");
     const CheckedScenario checked =
-        checkLoaded("base", std::move(loaded), {manifest_.settings.pipelines, {}, true, false});
-    std::optional<SweepCurves>& curves = manifest_.settings.curves;
-    if (!curves || checked_curves_) return;
-    checked_curves_ = true;
-    if (!curves->until_s) curves->until_s = std::max(checked.duration_s, curves->every_s);
-    const Scenario& scenario = checked.loaded.scenario;
-    manifest_.curves = curveQuantities(curves->quantities, layoutOf(scenario, scenario.pipelines.front()),
-                                       "curves.quantities");
+        checkLoaded(base_file_, std::move(loaded), {manifest_.settings.pipelines, {}, true, false});
+    const std::optional<SweepCurves>& curves = manifest_.settings.curves;
+    if (!curves) return;
+    curves_until_s_ = std::max({checked.duration_s, curves->every_s, curves_until_s_.value_or(0)});
+  }
+
+  /// What was checked for the folder before is not checked again: a shard a process would do it often.
+  bool takeEarlierPlan() {
+    std::error_code ignored;
+    if (!fs::exists(manifestFile(folder_), ignored)) return false;
+    try {
+      SweepManifest earlier = readManifest(folder_);
+      if (earlier.settings.source != manifest_.settings.source || earlier.scenario != manifest_.scenario ||
+          earlier.directory != manifest_.directory || earlier.engines != manifest_.engines ||
+          earlier.pipelines != manifest_.pipelines || earlier.measured != manifest_.measured)
+        return false;
+      refuseOtherPlan(earlier, folder_);
+      manifest_ = std::move(earlier);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
   }
 
   fs::path file_, folder_;
   LoadedScenario base_;
   SweepManifest manifest_;
-  bool checked_curves_ = false;
+  fs::path base_file_;
+  std::size_t scenario_files_ = 0;  ///< the base and its own bases, first among the inputs
+  std::vector<PipelineSettings> all_entries_;
+  std::optional<double> curves_until_s_;  ///< the longest run that was checked
 };
 
 }  // namespace
@@ -178,7 +314,7 @@ SweepManifest planSweep(const fs::path& file, const fs::path& folder, bool many)
 void putManifest(const SweepManifest& manifest, const fs::path& folder) {
   std::error_code error;
   if (fs::exists(manifestFile(folder), error)) {
-    const std::string name = readManifest(folder).settings.name;
+    const std::string name = nameIn(folder, manifest.settings.name);
     if (name != manifest.settings.name)
       throw InputError(folder.string() + ": holds the sweep \"" + name +
                        "\", expected another folder for \"" + manifest.settings.name + "\"");
@@ -208,7 +344,7 @@ void refuseOtherPlan(const SweepManifest& manifest, const fs::path& folder) {
     if (hashOf(program) != hash) refuse(program.filename().string());
   }
   for (const auto& [name, hash] : manifest.inputs)
-    if (hashOf(folder / manifest.directory / name) != hash) refuse(name);
+    if (hashOf(fs::weakly_canonical(folder) / manifest.directory / name) != hash) refuse(name);
 }
 
 }  // namespace fissure

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "main/assemble_apart.h"
 #include "main/provenance.h"
+#include "main/sweep_planning.h"
 #include "process/engine_program.h"
 #include "scenario/scalars.h"
 #include "study/sweep_state.h"
@@ -74,6 +75,9 @@ SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::v
   if (error) throw RunError(folder.string() + ": cannot be written: " + error.message());
   for (const auto& [name, hash] : plan.manifest().inputs)
     inputs_.emplace_back(plan.directory() / name, stampText(plan.directory() / name));
+  for (const auto& [precision, hash] : plan.manifest().engines)
+    inputs_.emplace_back(engineProgram(precision), stampText(engineProgram(precision)));
+  refuseOtherPlan(plan.manifest(), folder);  // since it was planned; from here on the stamps tell
 }
 
 fs::path SweepSession::work(std::size_t task, const char* ending) const {
@@ -120,12 +124,14 @@ TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) con
   if (status.status == "ok") {
     try {
       record = decodeRecord(bytesOf(work(task, ".record")));
-      if (plan_.manifest().settings.keep == SweepKeep::results) keepResult(task, record);
     } catch (const RunError& error) {
-      record = {};
       record.status = {"failed", error.what()};
     }
+    if (record.finished() && plan_.manifest().settings.keep == SweepKeep::results) keepResult(task, record);
   }
+  record.recorded_s =
+      std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+          .count();
   record.task = plan_.tasks()[tasks_[task]].id;
   const auto running = running_.find(task);
   if (running != running_.end())
@@ -164,7 +170,11 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
   const fs::path made = work(task, ".h5");
   assembleApart(made, loaded, collectProvenance(loaded, inputHashes(loaded), settings_.command_line, times),
                 parts, journal_.work());
-  if (!parts.front().part) throw RunError(parts.front().status.detail);
+  if (!parts.front().part) {  // somebody damaged it
+    record = {};
+    record.status = parts.front().status;
+    return;
+  }
   fs::rename(made, folder_ / name);
   const Stamp stamp = stampOf(folder_ / name);
   record.file = name;

@@ -37,9 +37,9 @@ void put(const fs::path& path, const std::string& text) {
 }
 
 /// Shards with a task among `tasks`.
-std::string rangesOf(const std::vector<std::size_t>& tasks, std::size_t shards) {
+std::string rangesOf(const SweepPlan& plan, const std::vector<std::size_t>& tasks, std::size_t shards) {
   std::set<std::size_t> missing;
-  for (const std::size_t task : tasks) missing.insert(task % shards + 1);
+  for (const std::size_t task : tasks) missing.insert(plan.shardOf(task, shards) + 1);
   return arrayRanges({missing.begin(), missing.end()});
 }
 
@@ -220,7 +220,7 @@ void SlurmSubmission::printCommands(const std::string& ranges, std::ostream& out
 Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
                                   const SweepEstimate& estimate, std::ostream& out) {
   const ArrayScript script = choose(plan, tasks.size(), estimate, out);
-  const std::string ranges = rangesOf(tasks, script.shards);
+  const std::string ranges = rangesOf(plan, tasks, script.shards);
   out << "slurm: " << script.shards << (script.shards == 1 ? " shard" : " shards") << " with " << script.cpus
       << (script.cpus == 1 ? " CPU" : " CPUs");
   if (estimate.one_s && !tasks.empty()) {

@@ -18,6 +18,7 @@
 #include "main/verbs.h"
 #include "process/apart.h"
 #include "scenario/scalars.h"
+#include "scenario/text_file.h"
 #include "study/sweep_merge.h"
 
 namespace fissure {
@@ -166,10 +167,27 @@ void printCounts(const SweepPlan& plan, const SweepState& state) {
     std::cout << journal.string() << ": its end is torn or damaged, what it held is made again\n";
 }
 
+nlohmann::ordered_json dryRunJson(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
+                                  int slots) {
+  nlohmann::ordered_json seconds;
+  if (estimate.one_s) seconds = estimate.total_s(tasks, slots);
+  return {{"exit_code", exit_good},          {"runs", plan.runs()},   {"simulations", plan.tasks().size()},
+          {"unfinished_simulations", tasks}, {"estimate_s", seconds}, {"estimate_bytes", estimate.bytes}};
+}
+
+/// Somebody may have planned the folder's sweep anew meanwhile: the table would not be that of its plan.
+void refuseReplacedPlan(const SweepPlan& plan, const fs::path& folder) {
+  if (readTextFile(manifestFile(folder)) != manifestText(plan.manifest()))
+    throw RunError(folder.string() +
+                   ": was planned anew meanwhile; what ran is recorded, `fissure sweep merge " +
+                   folder.string() + "` writes the tables of the new plan");
+}
+
 /// Tables of all that is known, and what they say.
 int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::string& command_line) {
   SweepState state(plan, folder);
   forgetLostResults(plan, folder, state);
+  refuseReplacedPlan(plan, folder);
   writeSweepTables(plan, state, folder, provenanceOf(plan, command_line));
   const auto counts = countRuns(plan, state);
   const int code = codeOf(counts);
@@ -228,6 +246,31 @@ std::optional<SlurmSubmission> submissionOf(const SweepOptions& options, const f
   return std::optional<SlurmSubmission>(std::in_place, folder, slurm, options.slots);
 }
 
+/// Runs tasks; then the tables, unless that is the business of a merge.
+int simulate(const SweepPlan& plan, const fs::path& folder, std::vector<std::size_t> tasks, int slots,
+             const SweepOptions& options, std::unique_ptr<Interrupt> interrupt) {
+  ProgressDisplay display(std::cerr, STDERR_FILENO);
+  SessionCounts counts;
+  std::string failure;
+  if (!tasks.empty()) {
+    SweepSession session(plan, folder, std::move(tasks), {slots, options.fail_fast, options.command_line},
+                         display);
+    session.run(*interrupt);
+    counts = session.counts();
+    failure = session.firstFailure();
+  }
+  if (!failure.empty()) std::cerr << "first failure: " << failure << "\n";
+  if (counts.failed > 0 && options.fail_fast) return exit_run_failed;
+  if (counts.interrupted > 0 || interrupt->requested()) {
+    std::cerr << "interrupted; `fissure sweep " << folder.string() << "` goes on\n";
+    if (options.json) std::cout << jsonText(sessionJson(counts, exit_interrupted));
+    return exit_interrupted;
+  }
+  interrupt.reset();  // tables are written whole or not at all: Ctrl-C just ends it
+  if (options.shard.empty()) return finish(plan, folder, options.json, options.command_line);
+  return finishShard(options, counts, options.json ? std::cerr : std::cout);
+}
+
 int runSweep(const SweepOptions& options) {
   const fs::path folder = folderOf(options);
   const Shard shard = parseShard(options.shard);
@@ -237,46 +280,32 @@ int runSweep(const SweepOptions& options) {
   const bool planned = fs::is_directory(options.sweep, ignored);
   SweepManifest manifest = planned ? readManifest(folder) : planSweep(options.sweep, folder, options.many);
   if (planned) refuseOtherPlan(manifest, folder);
-  Interrupt interrupt;
+  auto interrupt = std::make_unique<Interrupt>();
   if (!planned && !options.dry_run) putManifest(manifest, folder);
   const SweepPlan plan(std::move(manifest), folder);
   SweepState state(plan, folder);
   forgetLostResults(plan, folder, state);
   std::vector<std::size_t> tasks = state.unfinished();
-  std::erase_if(tasks, [&](std::size_t task) { return task % shard.count != shard.index - 1; });
+  std::erase_if(tasks, [&](std::size_t task) { return plan.shardOf(task, shard.count) != shard.index - 1; });
 
   std::ostream& out = options.json ? std::cerr : std::cout;
   printPlan(plan, out);
   const SweepEstimate estimate =
-      estimateSweep(plan, state, tasks, timedFrom(options, slots, tasks.size()), interrupt);
+      estimateSweep(plan, state, tasks, timedFrom(options, slots, tasks.size()), *interrupt);
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {
-    if (interrupt.requested()) return exit_interrupted;
+    if (interrupt->requested()) return exit_interrupted;
     printSubmitted(slurm->submit(plan, tasks, estimate, out), options.json);
     return exit_good;
   }
   out.flush();
-  if (options.dry_run) return exit_good;
+  if (options.dry_run) {
+    if (interrupt->requested()) return exit_interrupted;
+    if (options.json) std::cout << jsonText(dryRunJson(plan, tasks.size(), estimate, slots));
+    return exit_good;
+  }
 
-  ProgressDisplay display(std::cerr, STDERR_FILENO);
-  SessionCounts counts;
-  std::string failure;
-  if (!tasks.empty()) {
-    SweepSession session(plan, folder, std::move(tasks), {slots, options.fail_fast, options.command_line},
-                         display);
-    session.run(interrupt);
-    counts = session.counts();
-    failure = session.firstFailure();
-  }
-  if (!failure.empty()) std::cerr << "first failure: " << failure << "\n";
-  if (counts.failed > 0 && options.fail_fast) return exit_run_failed;
-  if (counts.interrupted > 0 || interrupt.requested()) {
-    std::cerr << "interrupted; `fissure sweep " << folder.string() << "` goes on\n";
-    if (options.json) std::cout << jsonText(sessionJson(counts, exit_interrupted));
-    return exit_interrupted;
-  }
-  if (options.shard.empty()) return finish(plan, folder, options.json, options.command_line);
-  return finishShard(options, counts, out);
+  return simulate(plan, folder, std::move(tasks), slots, options, std::move(interrupt));
 }
 
 struct FolderOptions {

@@ -79,7 +79,7 @@ void ClampProbe::summarize(Summary& summary) const {
     for (std::size_t law = 0; law < laws_.size(); ++law) {
       const Largest& largest = largest_[law * clamps_.size() + c];
       const auto add = [&](const char* what, const RunningMax& max_N) {
-        summary.push_back({name + what + "_" + laws_[law] + "_N", max_N.value()});
+        summary.push_back({name + what + "_" + laws_[law] + "_N", max_N.value(), true});
       };
       add("max_resultant", largest.resultant_N);
       add("left_max_force", largest.left_N);

@@ -128,18 +128,19 @@ void ForceProbe::sampleTools(const State& state, std::size_t law, RecordRow& row
 void ForceProbe::summarize(Summary& summary) const {
   const auto add = [&](std::size_t index, const std::string& name) {
     const Law& law = laws_[index];
-    summary.push_back({"max_force" + name + "_N", law.max_N.value()});
-    summary.push_back({"force_roughness" + name, law.roughness.value()});
-    summary.push_back({"roughness_same_triangles" + name, same_triangles_.value(index)});
-    if (!limits_N_.empty())
-      summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
+    summary.push_back({"max_force" + name + "_N", law.max_N.value(), true});
+    summary.push_back({"force_roughness" + name, law.roughness.value(), true});
+    summary.push_back({"roughness_same_triangles" + name, same_triangles_.value(index), true});
+    if (limits_N_.empty()) return;
+    summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
+    summary.back().of_law = true;
   };
   add(0, "");
   for (std::size_t i = 0; i < laws_.size(); ++i) {
     const Law& law = laws_[i];
     add(i, "_" + law.name);
     if (law.non_finite_at_step)
-      summary.push_back({"force_non_finite_at_step_" + law.name, *law.non_finite_at_step});
+      summary.push_back({"force_non_finite_at_step_" + law.name, *law.non_finite_at_step, true});
   }
 }
 

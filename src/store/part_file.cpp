@@ -196,7 +196,7 @@ void PartFile::writeSummary(const RunStatus& status, const Summary& summary) con
   h5::OutputFile file = h5::OutputFile::openToChange(path_);
   {
     const h5::Id group = h5::openGroup(file, group_);
-    for (const auto& [name, value] : summary) {
+    for (const auto& [name, value, of_law] : summary) {
       const auto [below, attribute] = groupAndAttribute(name);
       if (attribute.find('/') != std::string::npos) throw std::logic_error("unknown group: " + name);
       const hid_t parent = below == "provenance" ? hid_t{file} : hid_t{group};

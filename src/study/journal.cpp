@@ -58,25 +58,41 @@ std::optional<std::string> readRecord(std::istream& stream) {
   return record;
 }
 
-/// Whether the writer of a journal is gone: nobody holds its lock, or the file itself is gone. Where the file
-/// system has no locks, nobody is.
+/// Of this machine since it was switched on: locks of other machines may not be seen here.
+std::string bootId() {
+  std::string id;
+  std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
+  return id;
+}
+
+std::string firstLineOf(const fs::path& file) {
+  std::string line;
+  std::ifstream stream(file);
+  std::getline(stream, line);
+  return line;
+}
+
+/// Whether the writer of a journal on this machine is gone: nobody holds its lock, or the file itself is
+/// gone. Where the file system has no locks, nobody is.
 bool isDead(const fs::path& journal) {
   const Descriptor file(::open(journal.c_str(), O_RDONLY | O_CLOEXEC));
   return file.open() ? ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 : errno == ENOENT;
 }
 
+constexpr const char* owner_file = "machine";
+
 void removeLeftovers(const fs::path& folder) {
   std::error_code ignored;
-  std::vector<fs::path> works, empty;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+  std::vector<fs::path> works;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
     if (entry.path().extension() == ".work") works.push_back(entry.path());
-    if (entry.path().extension() == ".journal" && entry.file_size(ignored) == 0)
-      empty.push_back(entry.path());
+  const std::string here = bootId();
+  for (const fs::path& work : works) {
+    const fs::path journal = fs::path(work).replace_extension(".journal");
+    if (here.empty() || firstLineOf(work / owner_file) != here || !isDead(journal)) continue;
+    if (fs::file_size(journal, ignored) == 0) fs::remove(journal, ignored);
+    fs::remove_all(work, ignored);
   }
-  for (const fs::path& work : works)
-    if (isDead(fs::path(work).replace_extension(".journal"))) fs::remove_all(work, ignored);
-  for (const fs::path& journal : empty)
-    if (isDead(journal)) fs::remove(journal, ignored);
 }
 
 }  // namespace
@@ -98,6 +114,7 @@ JournalWriter::JournalWriter(const fs::path& folder) {
   fs::rename(name, path_, error);
   if (!error) fs::create_directory(work_, error);
   if (error) throw RunError(path_.string() + ": cannot be made: " + error.message());
+  std::ofstream(work_ / owner_file) << bootId() << "\n";  // without it nobody removes the folder
   removeLeftovers(folder);
 }
 
@@ -122,6 +139,9 @@ void JournalWriter::append(const std::string& record) {
     done += static_cast<std::size_t>(count);
   }
   size_ += static_cast<std::int64_t>(bytes.size());
+  struct stat found = {};
+  if (::fstat(file_.number(), &found) == 0 && found.st_nlink == 0)
+    throw RunError(path_.string() + ": somebody removed it while it was written");
 }
 
 void JournalWriter::sync(double every_s) {
@@ -158,12 +178,31 @@ void Journals::each(const std::function<void(const std::string&, const JournalPl
   }
 }
 
-std::string Journals::read(const JournalPlace& place) const {
-  std::ifstream stream(files_[place.journal], std::ios::binary);
-  stream.seekg(place.offset);
-  std::optional<std::string> record = readRecord(stream);
-  if (!record) throw RunError(files_[place.journal].string() + ": a record in it is gone");
-  return std::move(*record);
+std::string Journals::read(const JournalPlace& place, std::size_t first, std::size_t count) const {
+  constexpr std::size_t most_open = 64;
+  auto file = open_.find(place.journal);
+  if (file == open_.end()) {
+    if (open_.size() >= most_open) open_.clear();
+    file = open_.emplace(place.journal, ::open(files_[place.journal].c_str(), O_RDONLY | O_CLOEXEC)).first;
+  }
+  std::string bytes(head_bytes, '\0');
+  const auto readAt = [&](std::int64_t offset) {
+    std::size_t done = 0;
+    while (done < bytes.size()) {
+      const ssize_t got = ::pread(file->second.number(), bytes.data() + done, bytes.size() - done,
+                                  offset + static_cast<std::int64_t>(done));
+      if (got < 0 && errno == EINTR) continue;
+      if (got <= 0) throw RunError(files_[place.journal].string() + ": a record in it is gone");
+      done += static_cast<std::size_t>(got);
+    }
+  };
+  readAt(place.offset);
+  const std::size_t length = std::strtoull(bytes.substr(4, 16).c_str(), nullptr, 16);
+  if (!bytes.starts_with(mark)) throw RunError(files_[place.journal].string() + ": a record in it is gone");
+  first = std::min(first, length);
+  bytes.assign(std::min(count, length - first), '\0');
+  readAt(place.offset + static_cast<std::int64_t>(head_bytes + first));
+  return bytes;
 }
 
 }  // namespace fissure

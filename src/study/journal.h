@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,7 +31,7 @@ class JournalWriter {
 
   const std::filesystem::path& path() const { return path_; }
   /// A folder of its own, `<journal without .journal>.work`, on the disk of the sweep: what is made there can
-  /// be renamed to its place, and is gone with a writer that is killed as soon as another one starts.
+  /// be renamed to its place. What a killed writer leaves is removed by the next one on its machine.
   const std::filesystem::path& work() const { return work_; }
 
  private:
@@ -57,8 +58,9 @@ class Journals {
   /// Every whole record, journal by journal. After one that is damaged or torn the rest of its journal is
   /// left out, because nobody knows where the next begins: see damaged().
   void each(const std::function<void(const std::string& record, const JournalPlace& place)>& take);
-  /// Throws RunError when it is no longer there.
-  std::string read(const JournalPlace& place) const;
+  /// Bytes `first` to `first + count - 1` of a record, fewer where it ends. Throws RunError when the journal
+  /// is no longer there.
+  std::string read(const JournalPlace& place, std::size_t first, std::size_t count) const;
   /// Journals with bytes after their last whole record, which their writer did not live to finish, or which
   /// somebody damaged; known after each().
   const std::vector<std::filesystem::path>& damaged() const { return damaged_; }
@@ -66,6 +68,7 @@ class Journals {
  private:
   std::vector<std::filesystem::path> files_;
   std::vector<std::filesystem::path> damaged_;
+  mutable std::map<std::size_t, Descriptor> open_;  ///< some of the files
 };
 
 }  // namespace fissure

@@ -1,15 +1,10 @@
 #include "study/law_statistics.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace fissure {
 
 namespace {
-
-constexpr std::array kPrefixes = {"max_force", "force_roughness", "roughness_same_triangles",
-                                  "saturated_steps", "force_non_finite_at_step"};
 
 std::vector<ForceSettings> flat(const std::vector<std::vector<ForceSettings>>& rows,
                                 const std::vector<ForceSettings>& scenario_laws) {
@@ -49,11 +44,6 @@ void LawStatistics::add(const State& state) {
     if (laws_[i].non_finite_at_step < 0 && !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
       laws_[i].non_finite_at_step = state.step;
   }
-}
-
-bool LawStatistics::isOfLaws(const std::string& summary_name) const {
-  return std::any_of(kPrefixes.begin(), kPrefixes.end(),
-                     [&](const char* prefix) { return summary_name.starts_with(prefix); });
 }
 
 void LawStatistics::summarize(std::size_t row, Summary& summary) const {

@@ -24,8 +24,6 @@ class LawStatistics {
   std::size_t rows() const { return laws_.size() / names_.size(); }
   /// Of the last state: row x number of laws + law.
   const std::vector<LawValue>& values() const { return family_.values(); }
-  /// Names that ForceProbe gives its scalars for a scenario with these laws: those that values depend on.
-  bool isOfLaws(const std::string& summary_name) const;
   /// Of one row, under the names ForceProbe gives them.
   void summarize(std::size_t row, Summary& summary) const;
 

@@ -148,7 +148,7 @@ void RunRecorder::finish(const RunStatus& status, const Summary& summary) {
   if (settings_.next) settings_.next->finish(status, summary);
   record_.status = status;
   std::vector<double> of_run;
-  for (const auto& [name, value] : summary) {
+  for (const auto& [name, value, of_law] : summary) {
     if (name.starts_with("provenance/")) continue;
     if (const auto* text = std::get_if<std::string>(&value)) {
       numbers_.texts[name] = *text;
@@ -158,7 +158,7 @@ void RunRecorder::finish(const RunStatus& status, const Summary& summary) {
     const double number = count ? static_cast<double>(*count) : std::get<double>(value);
     if (name.starts_with("timing/")) {
       record_.timing[name] = number;
-    } else if (!settings_.laws || !settings_.laws->isOfLaws(name)) {
+    } else if (!settings_.laws || !of_law) {
       numbers_.names.push_back(name);
       of_run.push_back(number);
     }

@@ -84,6 +84,13 @@ void describe(Io& io, SweepCondition& condition) {
   readValues(io, condition.values);
 }
 
+void readValue(const YamlNode& node, const std::string& path, SweepAxis& axis) {
+  MapReader io(node, path);
+  describe(io, axis);
+  io.finish();
+  axis.line = node.origin.line;
+}
+
 void readValue(const YamlNode& node, const std::string& path, AxisGroup& group) {
   if (node.kind == YamlNode::Kind::map && node.find("zip")) {
     struct Zip {
@@ -259,9 +266,12 @@ class SweepChecker {
   void checkValues(const YamlNode& node, const SweepCondition& condition) const {
     for (const AxisGroup& group : sweep_.axes) {
       for (const SweepAxis& axis : group.axes) {
-        if (axis.path != condition.path || !axis.values) continue;
+        if (axis.path != condition.path) continue;
+        if (!axis.values)
+          failAt(node.origin, "exclude: axis " + axis.path + " is a range, expected min and max");
         for (const std::string& value : *condition.values)
-          if (std::find(axis.values->begin(), axis.values->end(), value) == axis.values->end())
+          if (std::none_of(axis.values->begin(), axis.values->end(),
+                           [&](const std::string& other) { return plainValue(value) == plainValue(other); }))
             failAt(node.origin,
                    "exclude: " + value + " is no value of axis " + axis.path + ", expected one of them");
       }
@@ -274,6 +284,13 @@ class SweepChecker {
 };
 
 }  // namespace
+
+std::string plainValue(const std::string& yaml) {
+  const ScalarKind kind = scalarKind(yaml);
+  if (kind != ScalarKind::integer && kind != ScalarKind::real) return yaml;
+  const std::optional<double> number = toReal(yaml);
+  return number ? formatReal(*number) : yaml;
+}
 
 SweepSettings loadSweep(const std::filesystem::path& file) {
   SweepSettings sweep;

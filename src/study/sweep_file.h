@@ -23,6 +23,7 @@ struct SweepAxis {
   std::optional<std::vector<std::string>> values;  ///< YAML of each
   std::optional<AxisRange> linear;
   std::optional<AxisRange> logarithmic;  ///< both ends > 0
+  int line = 0;                          ///< of the file
 };
 
 /// Axes that go together: their values are taken side by side. An axis by itself is a group of one.
@@ -92,6 +93,9 @@ struct SweepSettings {
   std::string source;               ///< the file, verbatim
   std::filesystem::path directory;  ///< of the sweep file
 };
+
+/// A value in one way of writing: equal numbers have equal texts.
+std::string plainValue(const std::string& yaml);
 
 /// Reads a sweep file, as strictly as a scenario. Throws InputError with file and line: also for an empty
 /// range, two axes on one path, zipped axes of different lengths, a condition on what is no axis.

@@ -66,6 +66,7 @@ SweepManifest fromJson(const ordered_json& json) {
   manifest.scenario = json.at("scenario");
   manifest.directory = json.at("directory");
   manifest.inputs = json.at("inputs").get<std::map<std::string, std::string>>();
+  manifest.axis_inputs = json.at("axis_inputs").get<std::set<std::string>>();
   manifest.engines = json.at("engines").get<std::map<std::string, std::string>>();
   manifest.pipelines = json.at("pipelines").get<std::vector<std::string>>();
   for (const ordered_json& curve : json.at("curve_quantities"))
@@ -120,6 +121,7 @@ std::string manifestText(const SweepManifest& manifest) {
        {{"time_s", orNull(settings.limits.time_s)}, {"memory_mb", orNull(settings.limits.memory_mb)}}},
       {"directory", manifest.directory},
       {"inputs", manifest.inputs},
+      {"axis_inputs", manifest.axis_inputs},
       {"engines", manifest.engines},
       {"sweep_source", settings.source},
       {"scenario", manifest.scenario},
@@ -144,7 +146,7 @@ SweepManifest readManifest(const std::filesystem::path& folder) {
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {  // of the parser: syntax, types, what is missing
-    throw InputError(file.string() + ": damaged (" + error.what() + "), expected the plan of a sweep");
+    throw DamagedManifest(file.string() + ": damaged (" + error.what() + "), expected the plan of a sweep");
   }
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <fstream>
-#include <list>
 #include <set>
 #include <span>
 #include <unordered_map>
@@ -21,58 +20,56 @@ namespace fissure {
 
 namespace {
 
-/// The record of one task, as rows of the table need it.
+/// Of one task, what its rows need: not the numbers themselves, of which a task with many laws has many.
 struct TaskRows {
-  TaskNumbers numbers;
-  std::map<std::string, double> timing;
-  std::vector<std::size_t> columns;  ///< in numbers, of the table's metrics; numbers.names.size(): has none
-
-  std::size_t bytes() const { return 8 * (numbers.values.size() + numbers.curves.size()) + 1024; }
+  SweepState::Head head;
+  std::vector<std::size_t> columns;  ///< of the table's metrics, in the task's names; their number: has none
 };
 
-/// Records that were read last: runs of one task are far apart where an axis of force laws comes first.
-class RecordCache {
+class RowReader {
  public:
-  RecordCache(const SweepState& state, std::vector<SweepMetric> metrics)
+  RowReader(const SweepState& state, std::vector<SweepMetric> metrics)
       : state_(state), metrics_(std::move(metrics)) {}
 
-  const TaskRows& at(std::size_t task) {
-    const auto found = known_.find(task);
-    if (found != known_.end()) {
-      order_.splice(order_.begin(), order_, found->second);
-      return found->second->second;
+  void fill(std::size_t task, std::size_t row, SweepRun& run) {
+    const TaskRows& rows = at(task);
+    const NumbersHead& numbers = rows.head.numbers;
+    const std::size_t names = numbers.names.size();
+    const std::vector<double> values =
+        state_.numbers(task, rows.head, numbers.values_at + row * names * sizeof(double), names);
+    for (std::size_t m = 0; m < metrics_.size(); ++m) {
+      if (rows.columns[m] < names) {
+        run.metrics[m] = values[rows.columns[m]];
+        continue;
+      }
+      const auto timing = rows.head.record.timing.find(metrics_[m].name);
+      if (timing != rows.head.record.timing.end()) run.metrics[m] = timing->second;
     }
-    order_.emplace_front(task, read(task));
-    known_[task] = order_.begin();
-    bytes_ += order_.front().second.bytes();
-    while (bytes_ > most_bytes && order_.size() > 1) {
-      bytes_ -= order_.back().second.bytes();
-      known_.erase(order_.back().first);
-      order_.pop_back();
-    }
-    return order_.front().second;
+    const std::size_t width = numbers.curve_values;
+    if (width > 0)
+      run.curves = state_.numbers(task, rows.head, numbers.curves_at + row * width * sizeof(double), width);
   }
 
  private:
-  static constexpr std::size_t most_bytes = std::size_t{64} << 20;
-
-  TaskRows read(std::size_t task) const {
-    const TaskRecord record = state_.record(task);
-    TaskRows rows{decodeNumbers(record.numbers), record.timing, {}};
+  const TaskRows& at(std::size_t task) {
+    constexpr std::size_t most = 4096;
+    const auto found = known_.find(task);
+    if (found != known_.end()) return found->second;
+    if (known_.size() >= most) known_.clear();
+    TaskRows rows{state_.head(task), {}};
     std::unordered_map<std::string, std::size_t> places;
-    for (std::size_t i = 0; i < rows.numbers.names.size(); ++i) places[rows.numbers.names[i]] = i;
+    const std::vector<std::string>& names = rows.head.numbers.names;
+    for (std::size_t i = 0; i < names.size(); ++i) places[names[i]] = i;
     for (const SweepMetric& metric : metrics_) {
       const auto place = places.find(metric.name);
-      rows.columns.push_back(place == places.end() ? places.size() : place->second);
+      rows.columns.push_back(place == places.end() ? names.size() : place->second);
     }
-    return rows;
+    return known_.emplace(task, std::move(rows)).first->second;
   }
 
   const SweepState& state_;
   std::vector<SweepMetric> metrics_;
-  std::list<std::pair<std::size_t, TaskRows>> order_;  ///< last used first
-  std::unordered_map<std::size_t, std::list<std::pair<std::size_t, TaskRows>>::iterator> known_;
-  std::size_t bytes_ = 0;
+  std::unordered_map<std::size_t, TaskRows> known_;
 };
 
 /// All numbers that any record has, in the order in which the plan's tasks bring them, then the timings.
@@ -81,10 +78,9 @@ std::vector<SweepMetric> metricsOf(const SweepPlan& plan, const SweepState& stat
   std::set<std::string> seen, timings;
   for (std::size_t task = 0; task < plan.tasks().size(); ++task) {
     if (!state.task(task).place) continue;
-    const TaskRecord record = state.record(task);
-    for (const auto& [name, value] : record.timing) timings.insert(name);
-    if (record.numbers.empty()) continue;
-    for (const std::string& name : decodeNumbers(record.numbers).names)
+    const SweepState::Head head = state.head(task);
+    for (const auto& [name, value] : head.record.timing) timings.insert(name);
+    for (const std::string& name : head.numbers.names)
       if (seen.insert(name).second) metrics.push_back({name});
   }
   for (const std::string& name : timings) metrics.push_back({name});
@@ -123,23 +119,6 @@ SweepTableLayout layoutOf(const SweepPlan& plan, std::vector<SweepMetric> metric
   layout.sweep_source = manifest.settings.source;
   layout.provenance = provenance;
   return layout;
-}
-
-void fillNumbers(const TaskRows& rows, std::size_t row, const std::vector<SweepMetric>& metrics,
-                 SweepRun& run) {
-  const std::size_t names = rows.numbers.names.size();
-  for (std::size_t m = 0; m < metrics.size(); ++m) {
-    if (rows.columns[m] < names) {
-      run.metrics[m] = rows.numbers.values[row * names + rows.columns[m]];
-      continue;
-    }
-    const auto timing = rows.timing.find(metrics[m].name);
-    if (timing != rows.timing.end()) run.metrics[m] = timing->second;
-  }
-  if (rows.numbers.curves.empty()) return;
-  const std::size_t width = rows.numbers.curves.size() / rows.numbers.rows;
-  const double* first = rows.numbers.curves.data() + row * width;
-  run.curves.assign(first, first + width);
 }
 
 constexpr const char* misfit_metric = "misfit_N";
@@ -201,7 +180,7 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
   if (misfit) layout.measured_N = misfit->at(layout.curve_time_s);
   std::size_t width = 0;
   for (const SweepCurve& curve : layout.curves) width += layout.width(curve);
-  RecordCache cache(state, layout.metrics);
+  RowReader reader(state, layout.metrics);
   bool complete = true;
   SweepTableWriter writer(tableFile(place.work()), layout);
   for (std::size_t i = 0; i < plan.runs(); ++i) {
@@ -220,7 +199,7 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
       run.values.push_back(manifest.points.value(planned.point, a));
     run.metrics.assign(layout.metrics.size(), kMissing);
     run.curves.assign(width, kMissing);
-    if (task.finished) fillNumbers(cache.at(planned.task), planned.law, layout.metrics, run);
+    if (task.finished) reader.fill(planned.task, planned.law, run);
     if (task.finished && misfit) fillMisfit(*misfit, layout, run);
     complete &= task.place.has_value();
     writer.append(run);

@@ -1,6 +1,7 @@
 #include "study/sweep_plan.h"
 
 #include <algorithm>
+#include <numeric>
 #include <unordered_map>
 
 #include "base/error.h"
@@ -41,24 +42,17 @@ double* coefficient(ForceSettings& law, const std::string& name) {
   return name == "c" ? &law.c : nullptr;
 }
 
-/// Equal numbers in one way of writing.
-std::string plainText(const std::string& text) {
-  const ScalarKind kind = scalarKind(text);
-  if (kind != ScalarKind::integer && kind != ScalarKind::real) return text;
-  const std::optional<double> number = toReal(text);
-  return number ? formatReal(*number) : text;
-}
-
 }  // namespace
 
 SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder)
     : manifest_(std::move(manifest)) {
   base_ = parseStoredScenario(manifest_.scenario);
-  base_.scenario.directory = (folder / manifest_.directory).lexically_normal();
+  base_.scenario.directory =
+      (std::filesystem::weakly_canonical(folder) / manifest_.directory).lexically_normal();
   sortAxes();
   std::unordered_map<std::string, std::size_t> seen;
   for (const std::string& text : manifest_.points.texts()) {
-    plain_.push_back(plainText(text));
+    plain_.push_back(plainValue(text));
     text_ids_.push_back(seen.try_emplace(plain_.back(), plain_.size() - 1).first->second);
   }
   makeTasks();
@@ -98,8 +92,7 @@ std::string SweepPlan::key(std::size_t point, std::size_t entry, bool laws) cons
   std::string text;
   const SweepPoints& points = manifest_.points;
   for (std::size_t a = 0; a < axes_.size(); ++a) {
-    if (axes_[a].law != laws) continue;
-    if (!axes_[a].only_entry.empty() && axes_[a].only_entry != manifest_.pipelines[entry]) continue;
+    if (axes_[a].law != laws || !reads(entry, a)) continue;
     text += std::to_string(text_ids_[points.indices()[point * axes_.size() + a]]) + ' ';
   }
   return text;
@@ -131,39 +124,82 @@ void SweepPlan::makeTasks() {
   }
 }
 
-void SweepPlan::nameTasks() {
-  std::string common = "fissure task 1\n" + manifest_.scenario + "\n";
-  for (const auto& [file, hash] : manifest_.inputs) common += file + "=" + hash + "\n";
+/// What all tasks of an entry depend on: the scenario without what moves nothing and without other entries,
+/// the files it names, the worker's way of keeping things.
+std::string SweepPlan::commonText(std::size_t entry) const {
+  YamlNode root = parseYaml(manifest_.scenario, {manifest_.settings.name, 1});
+  std::erase_if(root.children,
+                [](const YamlNode& child) { return child.key == "expect" || child.key == "description"; });
+  if (YamlNode* entries = root.find("pipelines"))
+    std::erase_if(entries->children,
+                  [&](const YamlNode& item) { return itemName(item) != manifest_.pipelines[entry]; });
+  std::string text = "fissure task 2\n" + flowText(root) + "\n" + manifest_.pipelines[entry] + "\n";
+  for (const auto& [file, hash] : manifest_.inputs)
+    if (!manifest_.axis_inputs.contains(file)) text += file + "=" + hash + "\n";
   if (const auto& curves = manifest_.settings.curves) {
-    common += formatReal(curves->every_s) + " " + formatReal(curves->until_s.value_or(0));
-    for (const std::string& quantity : curves->quantities) common += " " + quantity;
+    text += formatReal(curves->every_s) + " " + formatReal(curves->until_s.value_or(0));
+    for (const std::string& quantity : curves->quantities) text += " " + quantity;
   }
-  common += manifest_.settings.keep == SweepKeep::results ? "\nresults\n" : "\nmetrics\n";
-  common = fnv1a64(common);
-  const std::size_t axes = axes_.size();
-  const auto value = [&](std::size_t point, std::size_t axis) -> const std::string& {
-    return plain_[manifest_.points.indices()[point * axes + axis]];
-  };
-  std::vector<std::size_t> order(axes);  // by path: the order of a sweep file's axes changes no simulation
-  for (std::size_t a = 0; a < axes; ++a) order[a] = a;
-  const std::vector<std::string>& paths = manifest_.points.paths();
-  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return paths[a] < paths[b]; });
-  for (SweepTask& task : tasks_) {
-    std::string text = common + "\n" + manifest_.engines.at(precision(task)) + "\n" +
-                       manifest_.pipelines[task.entry] + " " + std::to_string(task.repeat) + "\n";
-    for (const std::size_t a : order)
-      if (!axes_[a].law && reads(task, a)) text += paths[a] + "=" + value(task.point, a) + "\n";
-    for (const std::size_t point : task.laws) {
-      for (const std::size_t a : order)
-        if (axes_[a].law) text += paths[a] + "=" + value(point, a) + " ";
-      text += "\n";
+  return text + (manifest_.settings.keep == SweepKeep::results ? "\nresults\n" : "\nmetrics\n");
+}
+
+/// The values of a point on law axes or on the others that an entry reads, a line each; with the files that
+/// these name. Sorted: the order of a sweep file's axes changes nothing.
+std::string SweepPlan::valueText(std::size_t point, std::size_t entry, bool laws) const {
+  std::vector<std::string> lines;
+  for (std::size_t a = 0; a < axes_.size(); ++a) {
+    if (axes_[a].law != laws || !reads(entry, a)) continue;
+    const std::string& value = plain_[manifest_.points.indices()[point * axes_.size() + a]];
+    std::string& line = lines.emplace_back(manifest_.points.paths()[a] + "=" + value);
+    for (const std::string& file : manifest_.axis_inputs)
+      if (value.find(std::filesystem::path(file).filename().string()) != std::string::npos)
+        line += " " + manifest_.inputs.at(file);
+  }
+  std::sort(lines.begin(), lines.end());
+  std::string text;
+  for (const std::string& line : lines) text += line + "\n";
+  return text;
+}
+
+void SweepPlan::nameTasks() {
+  std::vector<std::string> common;
+  for (std::size_t entry = 0; entry < manifest_.pipelines.size(); ++entry)
+    common.push_back(fnv1a64(commonText(entry)));
+  std::vector<std::vector<std::size_t>> moved(tasks_.size());  // of each task: where its sets of laws went
+  for (std::size_t t = 0; t < tasks_.size(); ++t) {
+    SweepTask& task = tasks_[t];
+    std::vector<std::pair<std::string, std::size_t>> laws;
+    for (std::size_t i = 0; i < task.laws.size(); ++i)
+      laws.emplace_back(valueText(task.laws[i], task.entry, true), i);
+    std::sort(laws.begin(), laws.end());
+    std::string text = common[task.entry] + "\n" + manifest_.engines.at(precision(task)) + "\n" +
+                       std::to_string(task.repeat) + "\n" + valueText(task.point, task.entry, false);
+    const std::vector<std::size_t> points = task.laws;
+    moved[t].resize(points.size());
+    for (std::size_t i = 0; i < laws.size(); ++i) {
+      text += "law\n" + laws[i].first;
+      task.laws[i] = points[laws[i].second];
+      moved[t][laws[i].second] = i;
     }
     task.id = fnv1a64(text);
   }
+  for (Place& place : places_) place.law = moved[place.task][place.law];
+  rankTasks();
 }
 
-bool SweepPlan::reads(const SweepTask& task, std::size_t axis) const {
-  return axes_[axis].only_entry.empty() || axes_[axis].only_entry == manifest_.pipelines[task.entry];
+/// Shards get tasks in the order of their names: neighbours in a sweep cost alike, and an axis as long as
+/// there are shards would give each shard one value of it.
+void SweepPlan::rankTasks() {
+  std::vector<std::size_t> order(tasks_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::sort(order.begin(), order.end(),
+            [&](std::size_t a, std::size_t b) { return tasks_[a].id < tasks_[b].id; });
+  ranks_.resize(tasks_.size());
+  for (std::size_t i = 0; i < order.size(); ++i) ranks_[order[i]] = i;
+}
+
+bool SweepPlan::reads(std::size_t entry, std::size_t axis) const {
+  return axes_[axis].only_entry.empty() || axes_[axis].only_entry == manifest_.pipelines[entry];
 }
 
 PlannedRun SweepPlan::run(std::size_t index) const {
@@ -177,7 +213,7 @@ PlannedRun SweepPlan::run(std::size_t index) const {
 std::vector<Override> SweepPlan::overrides(const SweepTask& task) const {
   std::vector<Override> overrides;
   for (std::size_t a = 0; a < axes_.size(); ++a)
-    if (reads(task, a) && !(axes_[a].law && task.laws.size() > 1))
+    if (reads(task.entry, a) && !(axes_[a].law && task.laws.size() > 1))
       overrides.push_back({manifest_.points.paths()[a], manifest_.points.value(task.point, a)});
   return overrides;
 }

@@ -58,6 +58,8 @@ class SweepPlan {
   /// The force laws of a point, in the scenario's order.
   std::vector<ForceSettings> lawsAt(std::size_t point) const;
   const PipelineSettings& entry(std::size_t index) const;
+  /// Which of `shards`, from 0, a task belongs to: the same in every session of this plan.
+  std::size_t shardOf(std::size_t task, std::size_t shards) const { return ranks_[task] % shards; }
   /// Precision of a task's worker.
   std::string precision(const SweepTask& task) const;
 
@@ -75,7 +77,10 @@ class SweepPlan {
   void sortAxes();
   void makeTasks();
   void nameTasks();
-  bool reads(const SweepTask& task, std::size_t axis) const;
+  void rankTasks();
+  std::string commonText(std::size_t entry) const;
+  std::string valueText(std::size_t point, std::size_t entry, bool laws) const;
+  bool reads(std::size_t entry, std::size_t axis) const;
   std::string key(std::size_t point, std::size_t entry, bool laws) const;
 
   SweepManifest manifest_;
@@ -84,7 +89,8 @@ class SweepPlan {
   std::vector<std::string> plain_;     ///< of the points' texts: numbers that are equal have equal texts
   std::vector<std::size_t> text_ids_;  ///< of the points' texts: the first with the same plain text
   std::vector<SweepTask> tasks_;
-  std::vector<Place> places_;  ///< of the runs
+  std::vector<std::size_t> ranks_;  ///< of the tasks among their names
+  std::vector<Place> places_;       ///< of the runs
 };
 
 }  // namespace fissure

@@ -42,7 +42,8 @@ std::string sampleText(const SweepAxis& axis, double share) {
 
 bool holds(const SweepCondition& condition, const std::string& text) {
   if (condition.values &&
-      std::find(condition.values->begin(), condition.values->end(), text) == condition.values->end())
+      std::none_of(condition.values->begin(), condition.values->end(),
+                   [&](const std::string& value) { return plainValue(value) == plainValue(text); }))
     return false;
   if (!condition.min && !condition.max) return true;
   const std::optional<double> number = toReal(text);

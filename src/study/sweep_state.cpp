@@ -37,8 +37,9 @@ void SweepState::take(std::size_t index, const TaskRecord& record, const Journal
   if (task.finished && record.finished() && task.numbers_hash != hash)
     throw RunError(journals_.files()[place.journal].string() + ": two runs of task " + record.task +
                    " gave different numbers (the other is in " +
-                   journals_.files()[task.place->journal].string() + "), expected the same");
-  if (task.place && !record.finished()) return;
+                   journals_.files()[task.place->journal].string() +
+                   "), expected the same; remove the journal that is wrong, what it held is run again");
+  if (task.place && !record.finished() && (task.finished || record.recorded_s < task.recorded_s)) return;
   task.place = place;
   task.status = record.status;
   task.finished = record.finished();
@@ -46,22 +47,47 @@ void SweepState::take(std::size_t index, const TaskRecord& record, const Journal
   task.file = record.file;
   task.file_bytes = record.file_bytes;
   task.file_time = record.file_time;
+  task.recorded_s = record.recorded_s;
   const auto wall = record.timing.find("timing/worker_wall_s");
   if (wall != record.timing.end()) task.wall_s = wall->second;
 }
 
 void SweepState::compareRepeats() const {
-  const std::vector<SweepTask>& tasks = plan_.tasks();
-  for (std::size_t i = 1; i < tasks.size(); ++i) {
-    if (tasks[i].repeat == 0 || !tasks_[i].finished || !tasks_[i - 1].finished) continue;
-    if (tasks_[i].numbers_hash != tasks_[i - 1].numbers_hash)
-      throw RunError("two repeats of one run gave different numbers (tasks " + tasks[i - 1].id + " and " +
+  const std::vector<SweepTask>& tasks = plan_.tasks();  // repeats side by side
+  std::size_t known = tasks.size();
+  for (std::size_t i = 0; i < tasks.size(); ++i) {
+    if (tasks[i].repeat == 0) known = tasks.size();
+    if (!tasks_[i].finished) continue;
+    if (known < tasks.size() && tasks_[i].numbers_hash != tasks_[known].numbers_hash)
+      throw RunError("two repeats of one run gave different numbers (tasks " + tasks[known].id + " and " +
                      tasks[i].id + "), expected the same");
+    known = i;
   }
 }
 
-TaskRecord SweepState::record(std::size_t index) const {
-  return decodeRecord(journals_.read(*tasks_[index].place));
+SweepState::Head SweepState::head(std::size_t index) const {
+  constexpr std::size_t enough = 8192;
+  const JournalPlace& place = *tasks_[index].place;
+  const auto read = [&](std::size_t bytes) {
+    const std::string start = journals_.read(place, 0, bytes);
+    auto [record, at] = decodeRecordHead(start);
+    Head head{std::move(record), {}, at};
+    if (at < start.size()) head.numbers = decodeNumbersHead(start.substr(at));
+    return head;
+  };
+  try {
+    return read(enough);
+  } catch (const RunError&) {  // a longer head than most
+    return read(std::size_t{1} << 22);
+  }
+}
+
+std::vector<double> SweepState::numbers(std::size_t index, const Head& head, std::size_t first,
+                                        std::size_t count) const {
+  std::vector<double> found =
+      numbersIn(journals_.read(*tasks_[index].place, head.numbers_at + first, count * sizeof(double)));
+  if (found.size() != count) throw RunError("task " + plan_.tasks()[index].id + ": its record is cut");
+  return found;
 }
 
 void SweepState::forget(std::size_t index) {

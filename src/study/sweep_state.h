@@ -16,8 +16,8 @@ namespace fissure {
 std::filesystem::path journalFolder(const std::filesystem::path& folder);
 std::filesystem::path resultFolder(const std::filesystem::path& folder);
 
-/// How far a sweep is, read from its journals alone: of each task its last finished record, else its first
-/// other one. `plan` must outlive it.
+/// How far a sweep is, read from its journals alone: of each task a finished record, else its latest other
+/// one. `plan` must outlive it.
 class SweepState {
  public:
   /// Throws RunError when a journal cannot be read, or when two finished records of a task, or of its
@@ -32,10 +32,20 @@ class SweepState {
     std::string numbers_hash;
     std::string file;  ///< TaskRecord::file and what goes with it
     long long file_bytes = 0, file_time = 0;
+    long long recorded_s = 0;
   };
   const Task& task(std::size_t index) const { return tasks_[index]; }
-  /// Its record, from the journal. Throws RunError when it is no longer there.
-  TaskRecord record(std::size_t index) const;
+  /// Its record without the numbers, and what the numbers are, both of a task with a place. Throws RunError
+  /// when it is no longer there.
+  struct Head {
+    TaskRecord record;
+    NumbersHead numbers;
+    std::size_t numbers_at = 0;  ///< in the record
+  };
+  Head head(std::size_t index) const;
+  /// Values of the record's numbers, from the byte `first` of these on.
+  std::vector<double> numbers(std::size_t index, const Head& head, std::size_t first,
+                              std::size_t count) const;
 
   /// Makes a task missing again, because what it left is no longer there.
   void forget(std::size_t index);

@@ -30,6 +30,13 @@ std::vector<std::vector<ForceSettings>> readLaws(const json& numbers, std::size_
 
 }  // namespace
 
+std::string aboutAxes(std::string message) {
+  constexpr std::string_view set = "--set ";
+  for (std::size_t at = 0; (at = message.find(set, at)) != std::string::npos;)
+    message.replace(at, set.size(), "axis ");
+  return message;
+}
+
 std::string orderText(const TaskOrder& order) {
   json text = {{"name", order.name},
                {"scenario", order.scenario},

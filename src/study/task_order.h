@@ -23,6 +23,9 @@ struct TaskOrder {
   std::optional<SweepCurves> curves;
 };
 
+/// What is said about an override, about the axis that it comes from: it is not on the command line.
+std::string aboutAxes(std::string message);
+
 /// The order as text, for a file.
 std::string orderText(const TaskOrder& order);
 

@@ -26,7 +26,8 @@ class JournalTest : public testing::Test {
     std::vector<std::string> found;
     Journals journals(folder_);
     journals.each([&](const std::string& record, const JournalPlace& place) {
-      EXPECT_EQ(journals.read(place), record);
+      EXPECT_EQ(journals.read(place, 0, record.size() + 10), record);
+      EXPECT_EQ(journals.read(place, 1, 2), record.empty() ? "" : record.substr(1, 2));
       found.push_back(record);
     });
     if (damaged) *damaged = journals.damaged().size();
@@ -123,6 +124,11 @@ TEST_F(JournalTest, LeftoversOfTheDeadAreRemovedAndOfTheLivingNot) {
   fs::create_directory(folder_ / "dead.work");
   std::ofstream(folder_ / "killed.journal") << "";
   fs::create_directory(folder_ / "killed.work");
+  fs::create_directory(folder_ / "other.work");
+  for (const char* ours : {"dead.work", "killed.work"})
+    fs::copy(living.work() / "machine", folder_ / ours / "machine");
+  std::ofstream(folder_ / "other.work" / "machine") << "another machine\n";
+  std::ofstream(folder_ / "other.journal") << "";
   std::ofstream(folder_ / "killed.work" / "3.part") << "half a part";
   {
     const JournalWriter another(folder_);
@@ -133,6 +139,8 @@ TEST_F(JournalTest, LeftoversOfTheDeadAreRemovedAndOfTheLivingNot) {
   EXPECT_FALSE(fs::exists(folder_ / "dead.work"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.work"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.journal"));
+  EXPECT_TRUE(fs::exists(folder_ / "other.work"));  // its lock may not be seen here
+  EXPECT_TRUE(fs::exists(folder_ / "other.journal"));
 }
 
 TEST(TaskRecords, KeepEveryBit) {
@@ -147,7 +155,8 @@ TEST(TaskRecords, KeepEveryBit) {
   EXPECT_EQ(back.values[3], 1e-320);
   EXPECT_EQ(back.texts.at("hash"), "x\ny");
 
-  TaskRecord record{"0123", {"non_finite", "at step 3"}, bytes, {{"timing/x_us", 2.5}}, "runs/a.h5", 12, 34};
+  TaskRecord record{"0123", {"non_finite", "at step 3"}, bytes, {{"timing/x_us", 2.5}}, "runs/a.h5", 12, 34,
+                    56};
   const TaskRecord read = decodeRecord(encodeRecord(record));
   EXPECT_EQ(encodeRecord(read), encodeRecord(record));
   EXPECT_EQ(read.numbers, bytes);

@@ -102,7 +102,12 @@ TEST(SweepPlan, EqualNumbersAreOneRunHoweverTheyAreWritten) {
 TEST(SweepPlan, TasksAreKnownByTheirContents) {
   const std::set<std::string> ids = idsOf(planOf(three_axes));
   EXPECT_EQ(idsOf(planOf(three_axes)), ids);
-  // One value more, in another order: the old simulations keep their names.
+  // In another order, and with one value more: the old simulations keep their names.
+  const std::set<std::string> more = idsOf(
+      planOf("axes:\n  - {path: force.lin.k, values: [20, 10]}\n  - {path: bodies.ball.mass_kg, values: "
+             "[0.3, 0.2, 0.1]}\n  - {path: force.hc.k, values: [3, 1, 2]}\n"));
+  EXPECT_EQ(more.size(), 9u);
+  for (const std::string& id : ids) EXPECT_TRUE(more.contains(id));
   const std::set<std::string> two =
       idsOf(planOf("axes: [{path: bodies.ball.mass_kg, values: [0.1, 0.2]}]\n"));
   const std::set<std::string> three =
@@ -123,8 +128,38 @@ TEST(SweepPlan, TasksAreKnownByTheirContents) {
   EXPECT_EQ(changed([](SweepManifest& m) { m.engines["f32"] = "fnv1a64:3"; }), 2u);
   EXPECT_EQ(changed([](SweepManifest& m) { m.inputs["liver.obj"] = "fnv1a64:4"; }), 6u);
   EXPECT_EQ(changed([](SweepManifest& m) { m.settings.repeats = 2; }), 6u);
+  const auto edit = [](SweepManifest& m, const std::string& from, const std::string& to) {
+    m.scenario.replace(m.scenario.find(from), from.size(), to);
+  };
+  EXPECT_EQ(changed([&](SweepManifest& m) { edit(m, "name: press", "description: a press, name: press"); }),
+            0u);
+  EXPECT_EQ(changed([&](SweepManifest& m) { edit(m, "radius_m: 0.03", "radius_m: 0.031"); }), 6u);
+  EXPECT_EQ(
+      changed([&](SweepManifest& m) { edit(m, "pipeline: fukuhara", "pipeline: fukuhara, sweeps: 9"); }), 2u);
   EXPECT_EQ(changed([](SweepManifest& m) { m.settings.curves = SweepCurves{{"force"}, 0.1, 1}; }), 6u);
   EXPECT_EQ(changed([](SweepManifest& m) { m.settings.keep = SweepKeep::results; }), 6u);
+}
+
+TEST(SweepPlan, AFileThatAnAxisNamesIsOnlyItsOwnPointsBusiness) {
+  SweepManifest manifest = manifestOf("axes: [{path: bodies.ball.shape.file, values: [a.obj, b/c.obj]}]\n");
+  manifest.inputs = {{"a.obj", "fnv1a64:7"}, {"b/c.obj", "fnv1a64:8"}};
+  manifest.axis_inputs = {"a.obj", "b/c.obj"};
+  const std::set<std::string> ids = idsOf({manifest, "folder"});
+  manifest.inputs["b/c.obj"] = "fnv1a64:9";
+  std::size_t kept = 0;
+  for (const std::string& id : idsOf({manifest, "folder"})) kept += ids.contains(id);
+  EXPECT_EQ(kept, 3u);
+}
+
+TEST(SweepPlan, ShardsAreEvenAndMixEntries) {
+  const SweepPlan plan =
+      planOf("axes: [{path: bodies.ball.mass_kg, linear: {from: 0.1, to: 0.2, count: 60}}]\n");
+  std::vector<std::vector<std::size_t>> entries(3, std::vector<std::size_t>(3, 0));
+  for (std::size_t t = 0; t < plan.tasks().size(); ++t) ++entries[plan.shardOf(t, 3)][plan.tasks()[t].entry];
+  for (const std::vector<std::size_t>& shard : entries) {
+    EXPECT_EQ(shard[0] + shard[1] + shard[2], 60u);
+    for (const std::size_t of_entry : shard) EXPECT_GT(of_entry, 5u);
+  }
 }
 
 TEST(SweepPlan, ItsPrecisionMayBeAnAxis) {
