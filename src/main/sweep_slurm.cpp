@@ -120,6 +120,11 @@ SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::opt
   slots_ = slots ? *slots : array_ ? static_cast<int>(array_->cpus) : 1;
 }
 
+bool SlurmSubmission::keepsShards(std::size_t simulations) const {
+  return !options_.shard_minutes && array_ && array_->simulations == simulations &&
+         array_->shards <= limits_.mostShards();
+}
+
 ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
                                     std::ostream& out) const {
   const std::size_t most = limits_.mostShards();
@@ -133,7 +138,7 @@ ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, co
     if (shards > most)
       throw InputError("--shards " + std::to_string(shards) + ": " + here + ", expected at most that");
     shards = std::min(shards, all);
-  } else if (!options_.shard_minutes && array_ && array_->simulations == all && array_->shards <= most) {
+  } else if (keepsShards(all)) {
     shards = array_->shards;
   } else {
     const double by_time = estimate.one_s

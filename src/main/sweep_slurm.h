@@ -45,6 +45,8 @@ class SlurmSubmission {
   SlurmSubmission(std::filesystem::path folder, SlurmOptions options, std::optional<int> slots);
 
   int slots() const { return slots_; }
+  /// Whether the number of shards depends on how long simulations take, in a plan of so many.
+  bool choosesByTime(std::size_t simulations) const { return !options_.shards && !keepsShards(simulations); }
 
   /// `tasks`: unfinished ones of the plan, whose manifest is in the folder. Says on `out` what it does.
   /// Throws InputError for more shards than the cluster takes, RunError when sbatch refuses.
@@ -52,6 +54,7 @@ class SlurmSubmission {
                    const SweepEstimate& estimate, std::ostream& out);
 
  private:
+  bool keepsShards(std::size_t simulations) const;
   ArrayScript choose(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
                      std::ostream& out) const;
   void writeScripts(const ArrayScript& script, std::ostream& out) const;

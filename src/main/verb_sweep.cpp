@@ -227,10 +227,12 @@ void printSubmitted(const Submitted& submitted, bool json) {
                          {"merge_job", submitted.merge_job}});
 }
 
-/// For how many simulations it is worth to time some first.
-std::size_t timedFrom(const SweepOptions& options, int slots, std::size_t tasks) {
-  if (!options.shard.empty()) return tasks + 1;  // nobody waits for a word from a shard
-  return options.dry_run || options.slurm.engine == "slurm" ? 1 : 8 * static_cast<std::size_t>(slots);
+/// For how many simulations it is worth to time some first; never: one more than there are.
+std::size_t timedFrom(const SweepOptions& options, const std::optional<SlurmSubmission>& slurm, int slots,
+                      std::size_t simulations) {
+  const bool asked = options.dry_run || (slurm && slurm->choosesByTime(simulations));
+  if (asked) return 1;
+  return slurm || !options.shard.empty() ? simulations + 1 : 8 * static_cast<std::size_t>(slots);
 }
 
 /// For the engine Slurm; nothing for this machine.
@@ -291,7 +293,7 @@ int runSweep(const SweepOptions& options) {
   std::ostream& out = options.json ? std::cerr : std::cout;
   printPlan(plan, out);
   const SweepEstimate estimate =
-      estimateSweep(plan, state, tasks, timedFrom(options, slots, tasks.size()), *interrupt);
+      estimateSweep(plan, state, tasks, timedFrom(options, slurm, slots, plan.tasks().size()), *interrupt);
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {
     if (interrupt->requested()) return exit_interrupted;
