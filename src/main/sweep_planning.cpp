@@ -29,9 +29,12 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_checks = 1000;
 
 std::string hashOf(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  std::string bytes(error ? 0 : size, '\0');
   std::ifstream stream(file, std::ios::binary);
-  const std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) throw InputError(file.string() + ": cannot be read");
+  if (error || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
+    throw InputError(file.string() + ": cannot be read");
   return "fnv1a64:" + fnv1a64(bytes);
 }
 
