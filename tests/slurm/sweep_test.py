@@ -231,6 +231,7 @@ def main():
     with tempfile.TemporaryDirectory(prefix="fissure-slurm-") as temporary:
         folder = pathlib.Path(temporary) / "it's a sweep"
         folder.mkdir()
+        os.environ["TMPDIR"] = temporary  # for what killed tasks leave behind
         (folder / "press.yaml").write_text(SCENARIO.format(duration_s=arguments.duration))
         (folder / "sweep.yaml").write_text(SWEEP)
         fissure = Fissure(arguments.fissure, folder)
