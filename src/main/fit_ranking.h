@@ -16,8 +16,8 @@ struct SweepRanking {
   std::vector<Misfit> misfits;
 };
 
-/// By the sweep's curve `force`, one a law, over its time; by depth over its curve `indentation` (m, since first
-/// contact). Throws InputError when the table lacks them, or no run can be compared.
+/// By the sweep's curve `force`, one a law, over its time; by depth over its curve `indentation` (m, since
+/// first contact). Throws InputError when the table lacks them, or no run can be compared.
 SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by, bool free_offset);
 
 /// For people: the best `most` runs with their axes' values.

@@ -134,7 +134,7 @@ void forgetLostResults(const SweepPlan& plan, const fs::path& folder, SweepState
 Provenance provenanceOf(const SweepPlan& plan, const std::string& command_line) {
   std::string inputs;
   for (const auto& [name, hash] : plan.manifest().inputs)
-    inputs += (inputs.empty() ? "" : ", ") + name + "=" + hash;
+    inputs.append(inputs.empty() ? "" : ", ").append(name).append("=").append(hash);
   const auto now = std::chrono::system_clock::now();
   LoadedScenario base = plan.base();
   base.resolved = plan.manifest().scenario;

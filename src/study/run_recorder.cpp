@@ -34,10 +34,14 @@ std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names
     const auto is = [&](const CurveQuantity& quantity) { return quantity.name == name; };
     const auto at = std::find_if(known.begin(), known.end(), is);
     if (at == known.end())
-      throw InputError(where + ": no quantity \"" + name + "\" with one value a step" +
-                       didYouMean(name, choices));
+      throw InputError(std::string(where)
+                           .append(": no quantity \"")
+                           .append(name)
+                           .append("\" with one value a step")
+                           .append(didYouMean(name, choices)));
     if (std::any_of(found.begin(), found.end(), is))
-      throw InputError(where + ": \"" + name + "\" twice, expected each quantity once");
+      throw InputError(
+          std::string(where).append(": \"").append(name).append("\" twice, expected each quantity once"));
     found.push_back(*at);
   }
   return found;

@@ -52,7 +52,7 @@ struct CurveQuantity {
 struct SweepCurves {
   std::vector<std::string> quantities;  ///< see curveQuantities()
   double every_s = 0;                   ///< > 0
-  std::optional<double> until_s;        ///< >= every_s; default: as long as the base scenario runs
+  std::optional<double> until_s;        ///< >= every_s; default: the longest of the runs that planning checks
 };
 
 /// What each simulation of a sweep may take.

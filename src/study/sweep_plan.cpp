@@ -135,7 +135,7 @@ std::string SweepPlan::commonText(std::size_t entry) const {
                   [&](const YamlNode& item) { return itemName(item) != manifest_.pipelines[entry]; });
   std::string text = "fissure task 2\n" + flowText(root) + "\n" + manifest_.pipelines[entry] + "\n";
   for (const auto& [file, hash] : manifest_.inputs)
-    if (!manifest_.axis_inputs.contains(file)) text += file + "=" + hash + "\n";
+    if (!manifest_.axis_inputs.contains(file)) text.append(file).append("=").append(hash).append("\n");
   if (const auto& curves = manifest_.settings.curves) {
     text += formatReal(curves->every_s) + " " + formatReal(curves->until_s.value_or(0));
     for (const std::string& quantity : curves->quantities) text += " " + quantity;

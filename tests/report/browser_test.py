@@ -218,7 +218,7 @@ def check_keys_and_lists(driver, where):
     driver.execute_script("for (const key of ['ArrowRight', 'ArrowRight']) document.querySelector('.maps canvas').dispatchEvent("
                           "new KeyboardEvent('keydown', {key, bubbles: true, cancelable: true}))")
     shown = sweep_shown(driver)
-    check("default_tuned, k " in shown["readout"] and " mm" in shown["readout"], f"{where}: keys: {shown['readout']}")
+    check("default_tuned, k " in shown["readout"] and ": misfit " in shown["readout"], f"{where}: keys: {shown['readout']}")
     check(shown["looked"] and "looking at run" in shown["chosen"], f"{where}: nothing is looked at")
     driver.execute_script("document.querySelector('.failures button').click()")
     shown = sweep_shown(driver)
