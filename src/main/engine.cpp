@@ -125,6 +125,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   }();
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
   checkPrecision(pipeline);
+  const auto start = std::chrono::steady_clock::now();
   RunningRun run(checked.loaded, pipeline);
   RunRecorder::Settings settings;
   if (order.curves) {
@@ -137,7 +138,6 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   if (!part.empty()) sink = run.makePart(part);
   settings.next = sink.get();
   RunRecorder recorder(run.layout(), settings);
-  const auto start = std::chrono::steady_clock::now();
   run.execute(recorder);
   TaskRecord done = recorder.record();
   done.timing["timing/simulation_wall_s"] =
