@@ -185,14 +185,8 @@ class Planner {
   std::vector<std::string> placeOf(const std::string& path) const {
     YamlNode root = parseYaml(base_.composed, {base_file_.string(), 1});
     const YamlNode* node = &root;
-    std::vector<std::string> parts(1), place;
-    for (const char c : path) {
-      if (c == '.')
-        parts.emplace_back();
-      else
-        parts.back() += c;
-    }
-    for (const std::string& part : parts) {
+    std::vector<std::string> place;
+    for (const std::string& part : splitPath(path)) {
       place.push_back(part);
       if (node && node->kind == YamlNode::Kind::list) {
         for (std::size_t i = 0; i < node->children.size(); ++i)
@@ -218,7 +212,7 @@ class Planner {
         };
         const std::vector<std::string> place = placeOf(axis.path);
         const std::string& first = place.front();
-        if (first == "pipelines") checkEntryAxis(axis, place, refuse);
+        if (first == "pipelines") checkEntryAxis(place, refuse);
         if (first == "name" || first == "format" || first == "base" || first == "description" ||
             first == "expect")
           refuse("changes no simulation, expected a place that does");
@@ -234,21 +228,14 @@ class Planner {
   }
 
   template <class Refuse>
-  void checkEntryAxis(const SweepAxis& axis, const std::vector<std::string>& place,
-                      const Refuse& refuse) const {
+  void checkEntryAxis(const std::vector<std::string>& place, const Refuse& refuse) const {
     if (place.size() < 3 || place.back() == "name")
       refuse("changes which pipelines there are, expected a setting of one");
-    const std::string part = axis.path.substr(axis.path.find('.') + 1);
-    const std::string entry = part.substr(0, part.find('.'));
-    std::vector<std::string> indices;
-    for (const PipelineSettings& known : all_entries_) indices.push_back(known.name);
-    const std::optional<int> index = toInt(entry);
-    const std::string name = index && *index >= 0 && static_cast<std::size_t>(*index) < indices.size()
-                                 ? indices[static_cast<std::size_t>(*index)]
-                                 : entry;
-    const bool known = std::find(indices.begin(), indices.end(), name) != indices.end();
+    const std::optional<int> index = toInt(place[1]);  // of a known entry
+    if (!index || *index < 0 || static_cast<std::size_t>(*index) >= all_entries_.size()) return;
+    const std::string& name = all_entries_[static_cast<std::size_t>(*index)].name;
     const std::vector<std::string>& runs = manifest_.pipelines;
-    if (known && std::find(runs.begin(), runs.end(), name) == runs.end())
+    if (std::find(runs.begin(), runs.end(), name) == runs.end())
       refuse("the sweep does not run " + name + ", expected a setting of a pipeline that it runs");
   }
 

@@ -15,18 +15,6 @@ namespace {
 using Kind = YamlNode::Kind;
 using Path = std::filesystem::path;
 
-std::vector<std::string> splitPath(const std::string& path) {
-  std::vector<std::string> parts(1);
-  for (const char c : path) {
-    if (c == '.') {
-      parts.emplace_back();
-    } else {
-      parts.back() += c;
-    }
-  }
-  return parts;
-}
-
 /// Position of the item that `part` names, or counts; items.size() if there is none.
 std::size_t findItem(const std::vector<YamlNode>& items, const std::string& part) {
   for (std::size_t i = 0; i < items.size(); ++i) {
@@ -125,6 +113,18 @@ ComposedTree compose(const std::string& text, const Path& file) {
   std::vector<Path> chain{identityOf(file)};
   tree.root = composeFile(text, file, chain, tree.bases);
   return tree;
+}
+
+std::vector<std::string> splitPath(const std::string& path) {
+  std::vector<std::string> parts(1);
+  for (const char c : path) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
 }
 
 std::optional<std::string> itemName(const YamlNode& item) {

@@ -20,6 +20,9 @@ struct ComposedTree {
 /// and line, also for a base that is missing or leads back to a file that names it.
 ComposedTree compose(const std::string& text, const std::filesystem::path& file);
 
+/// The names in a path as in Problem: "tools.0.shape" is tools, 0, shape.
+std::vector<std::string> splitPath(const std::string& path);
+
 /// What an item of a list is called: its `name`, else its `pipeline` or `model`; nothing for other items.
 std::optional<std::string> itemName(const YamlNode& item);
 

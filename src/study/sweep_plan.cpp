@@ -13,17 +13,6 @@ namespace fissure {
 
 namespace {
 
-std::vector<std::string> partsOf(const std::string& path) {
-  std::vector<std::string> parts(1);
-  for (const char c : path) {
-    if (c == '.')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  }
-  return parts;
-}
-
 /// The item of a list that `part` names or counts; the length when there is none.
 template <class Item>
 std::size_t itemAt(const std::vector<Item>& items, const std::string& part) {
@@ -66,7 +55,7 @@ void SweepPlan::sortAxes() {
   bool laws_move_nothing = std::none_of(scenario.tools.begin(), scenario.tools.end(),
                                         [](const ToolSettings& tool) { return tool.coupling.has_value(); });
   for (const std::string& path : paths) {
-    const std::vector<std::string> parts = partsOf(path);
+    const std::vector<std::string> parts = splitPath(path);
     Axis& axis = axes_.emplace_back();
     if (parts[0] == "pipelines" && parts.size() > 2) {
       const std::size_t entry = itemAt(scenario.pipelines, parts[1]);
