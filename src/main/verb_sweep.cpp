@@ -360,7 +360,7 @@ void addOptions(CLI::App& command, SweepOptions& options) {
   command.add_flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
   command.add_flag("--yes", options.many, "plan more than 100,000 runs");
   command.add_option("--shard", options.shard,
-                     "I/N: only every N-th simulation, from the I-th on; then `sweep merge`");
+                     "I/N: only this one of N shares of the simulations; then `sweep merge`");
   command.add_flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");
   addSlurmOptions(command, options.slurm);
   command.add_flag("--json", options.json, "what became of the runs, for machines, on standard output");
