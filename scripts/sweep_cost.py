@@ -96,23 +96,15 @@ def simulated_s(folder):
 
 
 def workers(sweeps, count, slots):
-    """Of `count` simulations: efficiency of `slots` workers against one, overhead of a run in ms for both."""
+    """Of `count` simulations: efficiency of `slots` workers against one, overhead of a run in ms for both, memory."""
     sweep = sweeps.write("distinct.yaml", DISTINCT, count=count)
     walls, overheads = [], []
     for jobs in (1, slots):
-        wall, _, out = sweeps.run(sweep, "-j", str(jobs))
+        wall, memory, out = sweeps.run(sweep, "-j", str(jobs))
         simulated = simulated_s(out).sum()
         walls.append(wall)
         overheads.append(1e3 * (jobs * wall - simulated) / count)
-    return walls[0] / (slots * walls[1]), overheads
-
-
-def memory(sweeps, counts):
-    found = []
-    for count in counts:
-        sweep = sweeps.write(f"memory{count}.yaml", DISTINCT, count=count)
-        found.append(sweeps.run(sweep, "-j", str(os.cpu_count()))[1])
-    return found
+    return walls[0] / (slots * walls[1]), overheads, memory
 
 
 def planning(sweeps, count):
@@ -134,8 +126,8 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         sweeps = Sweeps(options.program.resolve(), pathlib.Path(name))
         ratio, whole, size = laws(sweeps, options.pairs)
-        efficiency, overheads = workers(sweeps, options.count, slots)
-        small, large = memory(sweeps, (options.count // 10, options.count))
+        small = workers(sweeps, options.count // 10, slots)[2]
+        efficiency, overheads, large = workers(sweeps, options.count, slots)
         planned = planning(sweeps, 100000)
     rows = [
         ("simulation of one press with 10,000 Hunt-Crossley laws over that with one", f"{ratio:.2f}"),
