@@ -64,13 +64,6 @@ std::string valueIn(const fs::path& file, const std::string& key, char separator
   return "unknown";
 }
 
-std::string contents(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string text((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) throw RunError(file.string() + ": cannot be read any more");
-  return text;
-}
-
 std::string seconds(double value) {
   std::ostringstream text;
   text.precision(6);
@@ -80,6 +73,15 @@ std::string seconds(double value) {
 
 }  // namespace
 
+std::optional<std::string> fileHash(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  std::string bytes(error ? 0 : size, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  if (error || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
+  return "fnv1a64:" + fnv1a64(bytes);
+}
+
 std::string inputHashes(const LoadedScenario& loaded) {
   const fs::path folder = fs::absolute(loaded.scenario.directory).lexically_normal();
   std::string text;
@@ -87,7 +89,9 @@ std::string inputHashes(const LoadedScenario& loaded) {
     const fs::path full = fs::absolute(input).lexically_normal();
     fs::path name = full.lexically_relative(folder);
     if (name.empty() || *name.begin() == "..") name = full.filename();
-    text += (text.empty() ? "" : ", ") + name.generic_string() + "=fnv1a64:" + fnv1a64(contents(input));
+    const std::optional<std::string> hash = fileHash(input);
+    if (!hash) throw RunError(input.string() + ": cannot be read any more");
+    text += (text.empty() ? "" : ", ") + name.generic_string() + "=" + *hash;
   }
   return text;
 }

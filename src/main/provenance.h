@@ -1,6 +1,8 @@
 #pragma once
 
 #include <chrono>
+#include <filesystem>
+#include <optional>
 #include <string>
 
 #include "scenario/load.h"
@@ -26,6 +28,9 @@ Provenance collectProvenance(const LoadedScenario& loaded, const std::string& in
 /// The same for a result salvaged from a part, about the salvaging program: what the front knew of the run
 /// itself has died with it.
 Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& command_line);
+
+/// "fnv1a64:..." of what a file holds; nothing when it cannot be read.
+std::optional<std::string> fileHash(const std::filesystem::path& file);
 
 /// "name=hash, name=hash" of the files a scenario was read from, as they are now: names relative to the
 /// scenario's folder, or the file name alone outside it. Throws RunError when one cannot be read.

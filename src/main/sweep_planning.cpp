@@ -1,11 +1,10 @@
 #include "main/sweep_planning.h"
 
 #include <algorithm>
-#include <fstream>
 #include <set>
 
 #include "base/error.h"
-#include "base/hash.h"
+#include "main/provenance.h"
 #include "main/run_plan.h"
 #include "main/scenario_input.h"
 #include "process/engine_program.h"
@@ -29,13 +28,9 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_checks = 1000;
 
 std::string hashOf(const fs::path& file) {
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  std::string bytes(error ? 0 : size, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())))
-    throw InputError(file.string() + ": cannot be read");
-  return "fnv1a64:" + fnv1a64(bytes);
+  const std::optional<std::string> hash = fileHash(file);
+  if (!hash) throw InputError(file.string() + ": cannot be read");
+  return *hash;
 }
 
 /// `file` as it is called from `directory`, whatever links lead there.
@@ -96,11 +91,10 @@ class Planner {
   Planner(fs::path file, fs::path folder, bool many) : file_(std::move(file)), folder_(std::move(folder)) {
     manifest_.settings = loadSweep(file_);
     base_file_ = (manifest_.settings.directory / manifest_.settings.base).lexically_normal();
-    all_entries_ = loadScenario(base_file_).scenario.pipelines;
-    const CheckedScenario checked =
-        checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false});
-    base_ = checked.loaded;
-    scenario_files_ = base_.inputs.size() - parseScenario(base_.composed, base_file_).inputs.size();
+    base_ = checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false}).loaded;
+    const LoadedScenario all = parseScenario(base_.composed, base_file_);
+    all_entries_ = all.scenario.pipelines;
+    scenario_files_ = base_.inputs.size() - all.inputs.size();
     manifest_.scenario = base_.composed;
     manifest_.directory = nameFrom(folder_, base_.scenario.directory);
     for (const PipelineSettings& entry : base_.scenario.pipelines) manifest_.pipelines.push_back(entry.name);
@@ -114,7 +108,7 @@ class Planner {
     addCurves();
     addEngines();
     addFit();
-    for (const fs::path& input : parseScenario(base_.composed, base_file_).inputs) addInput(input);
+    for (const fs::path& input : all.inputs) addInput(input);
     if (!takeEarlierPlan()) checkPoints();
   }
 

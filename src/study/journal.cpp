@@ -174,7 +174,8 @@ void Journals::each(const std::function<void(const std::string&, const JournalPl
     }
     std::error_code ignored;
     const auto size = fs::file_size(files_[i], ignored);
-    if (!ignored && static_cast<std::int64_t>(size) != offset) damaged_.push_back(files_[i]);
+    const bool rest = !ignored && static_cast<std::int64_t>(size) != offset;
+    if (rest && isDead(files_[i])) damaged_.push_back(files_[i]);  // else its writer is at work
   }
 }
 

@@ -78,7 +78,7 @@ bool hasParameter(FitLaw law, FitParameter parameter) {
   return parameter != FitParameter::lambda || law != FitLaw::linear_elastic;
 }
 
-double valueOf(const LawValues& values, FitParameter parameter) {
+double& valueOf(LawValues& values, FitParameter parameter) {
   switch (parameter) {
     case FitParameter::k:
       return values.k;
@@ -92,18 +92,9 @@ double valueOf(const LawValues& values, FitParameter parameter) {
   return values.F0_N;
 }
 
-double& valueOf(LawValues& values, FitParameter parameter) {
-  switch (parameter) {
-    case FitParameter::k:
-      return values.k;
-    case FitParameter::lambda:
-      return values.lambda;
-    case FitParameter::n:
-      return values.n;
-    case FitParameter::F0:
-      break;
-  }
-  return values.F0_N;
+double valueOf(const LawValues& values, FitParameter parameter) {
+  LawValues copy = values;
+  return valueOf(copy, parameter);
 }
 
 std::string fourDigits(double value) {

@@ -18,6 +18,7 @@ struct YamlTexts {
   std::vector<std::string> texts;
 };
 
+/// In the order of SweepDesign.
 const std::vector<CatalogEntry>& designs() {
   static const std::vector<CatalogEntry> table = {
       {"grid", "every combination of the values of all axes"},
@@ -284,6 +285,10 @@ class SweepChecker {
 };
 
 }  // namespace
+
+std::string designName(SweepDesign design) {
+  return std::string(designs()[static_cast<std::size_t>(design)].name);
+}
 
 std::string plainValue(const std::string& yaml) {
   const ScalarKind kind = scalarKind(yaml);

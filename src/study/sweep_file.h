@@ -94,6 +94,9 @@ struct SweepSettings {
   std::filesystem::path directory;  ///< of the sweep file
 };
 
+/// As sweep files write it.
+std::string designName(SweepDesign design);
+
 /// A value in one way of writing: equal numbers have equal texts.
 std::string plainValue(const std::string& yaml);
 

@@ -1,7 +1,6 @@
 #include "study/sweep_merge.h"
 
 #include <algorithm>
-#include <array>
 #include <fstream>
 #include <set>
 #include <span>
@@ -85,11 +84,6 @@ std::vector<SweepMetric> metricsOf(const SweepPlan& plan, const SweepState& stat
   }
   for (const std::string& name : timings) metrics.push_back({name});
   return metrics;
-}
-
-std::string designName(SweepDesign design) {
-  constexpr std::array names = {"grid", "random", "latin_hypercube", "sobol"};
-  return names[static_cast<std::size_t>(design)];
 }
 
 SweepTableLayout layoutOf(const SweepPlan& plan, std::vector<SweepMetric> metrics,

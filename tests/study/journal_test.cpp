@@ -57,6 +57,14 @@ TEST_F(JournalTest, HoldsWhatWasAppendedInOrder) {
   EXPECT_EQ(damaged, 0u);
 }
 
+TEST_F(JournalTest, WhatItsWriterHasNotFinishedIsNoDamage) {
+  const JournalWriter writer(folder_);
+  std::ofstream(writer.path(), std::ios::app) << "FSR10000";
+  std::size_t damaged = 9;
+  EXPECT_TRUE(records(&damaged).empty());
+  EXPECT_EQ(damaged, 0u);
+}
+
 TEST_F(JournalTest, WithNothingInItIsGone) {
   { const JournalWriter writer(folder_); }
   EXPECT_TRUE(fs::is_empty(folder_));
