@@ -3,8 +3,9 @@
 
     /usr/bin/python3 scripts/response_table.py
     /usr/bin/python3 scripts/response_table.py --friction      # the press with friction at the tool alone: friction.csv, friction.md
+    /usr/bin/python3 scripts/response_table.py --around        # configs/sweeps/force_roughness.yaml: around.md
 
-Writes results/response/press.csv (both press scenarios over speeds, steps and nodes), scenes.csv (bodies at rest on a tool, lifted,
+Writes results/response/press.csv (the press scenarios over speeds, steps and nodes), scenes.csv (bodies at rest on a tool, lifted,
 pushed) and table.md. "alone": the same tissue compressed by prescribed vertices (pipeline prescribed).
 """
 import argparse
@@ -20,11 +21,13 @@ import numpy
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 SPEEDS_M_S = [0.02, 0.1, 0.5, 2, 10]
 STEPS_S = {"0.001": 0.001, "1/240": 1 / 240, "1/60": 1 / 60}
-PRESSES = {  # scenario: (tool, nodes along an edge, steps)
-    "spatula_press": ("spatula", [8, 16], ["0.001", "1/240", "1/60"]),
-    "plate_press": ("plate", [16, 32], ["0.001", "1/240"]),
-}
 RESPONSES = ["none", "momentum"]
+PRESSES = {  # scenario: (tool, nodes along an edge, steps, runs)
+    "spatula_press": ("spatula", [8, 16], ["0.001", "1/240", "1/60"], RESPONSES),
+    "spatula_friction": ("spatula", [8, 16], ["0.001", "1/240", "1/60"], ["momentum"]),
+    "plate_press": ("plate", [16, 32], ["0.001", "1/240"], [*RESPONSES, "default_tuned"]),
+}
+RUBBED = {"spatula_press": [8, 16], "plate_press": [16]}  # scenario of the friction table: nodes
 FRICTIONS = [0, 0.1, 0.3, 0.5]  # Coulomb's, tool and tissue together
 GROUND_FRICTIONS = [0.25, 1]  # the same of ground and tissue; 0.25: as in the files
 TISSUE_FRICTION = 0.5  # dynamic_friction of both press scenarios
@@ -94,8 +97,9 @@ def reaction_roughness(file, name):
 def press(arguments, folder, config, tool, nodes, step, speed):
     settings = [f"tools.{tool}.motion.segments.0.speed_m_s={speed}", f"tools.{tool}.nodes.resolution=[{nodes}, {nodes}]"]
     settings += [f"time.step_s={STEPS_S[step]!r}", "record.snapshots_every_s=0.1"]
-    names = RESPONSES + (["default_tuned"] if config == "plate_press" else [])
-    summaries, file = run(arguments, folder, press_text(config, RESPONSES), ["alone", *names], settings)
+    names = PRESSES[config][3]
+    responses = [name for name in names if name in RESPONSES]
+    summaries, file = run(arguments, folder, press_text(config, responses), ["alone", *names], settings)
     own = summaries["alone"]
     for name in names:
         s = summaries[name]
@@ -174,8 +178,9 @@ def write_rubbed(path, rows):
 
 def friction_table(arguments, folder, scratch):
     rows = []
-    for config, (tool, resolutions, _) in PRESSES.items():
-        for nodes in resolutions if config == "spatula_press" else resolutions[:1]:
+    for config, resolutions in RUBBED.items():
+        tool = PRESSES[config][0]
+        for nodes in resolutions:
             for ground in GROUND_FRICTIONS:
                 for speed in SPEEDS_M_S[:4]:
                     rows += rubbed(arguments, scratch, config, tool, nodes, ground, speed)
@@ -183,6 +188,35 @@ def friction_table(arguments, folder, scratch):
     write(folder / "friction.csv", rows)
     write_rubbed(folder / "friction.md", rows)
     print(f"written: {folder.relative_to(ROOT)}/friction.csv, friction.md")
+
+
+def around_table(arguments, folder, scratch):
+    """The worst of the sweep force_roughness: every run beside that of the tissue alone at the same point."""
+    command = [arguments.program, "sweep", ROOT / "configs/sweeps/force_roughness.yaml", "-o", scratch / "sweep", "-j", arguments.jobs]
+    subprocess.run([*map(str, command)], stdout=subprocess.DEVNULL, check=True)
+    with open(scratch / "sweep/sweep.csv", newline="") as file:
+        rows = list(csv.DictReader(file))
+    alone = {row["point"]: float(row["force_roughness_hc"]) for row in rows if row["pipeline"] == "tissue_alone"}
+    lines = ["The worst of 33 runs each (dt 0.001, 1/240, 1/60 s; 0.02 to 10 m/s): roughness of the force over that of the tissue alone,"]
+    lines += ["depth, samples that passed through, inverted triangles.", ""]
+    lines += ["| friction at the tool | nodes | roughness | depth [mm] | passed through | inverted |", "|---|---|---|---|---|---|"]
+    cells = {}
+    for row in rows:
+        if row["pipeline"] == "fukuhara":
+            cells.setdefault((row["friction"], row["resolution"]), []).append(
+                [
+                    float(row["force_roughness_hc"]) / alone[row["point"]],
+                    1000 * float(row["max_penetration_depth_m"]),
+                    int(row["passed_through_samples"]),
+                    int(row["max_inverted_triangles"]),
+                ]
+            )
+    for (friction, resolution), values in cells.items():
+        worst = numpy.array(values).max(axis=0)  # NaN stays NaN
+        text = [f"{float(friction) * TISSUE_FRICTION:g}", resolution.strip("[]").replace(",", " x"), f"{worst[0]:.2f}", f"{worst[1]:.2f}"]
+        lines.append("| " + " | ".join([*text, f"{worst[2]:.0f}", f"{worst[3]:.0f}"]) + " |")
+    (folder / "around.md").write_text("\n".join(lines) + "\n")
+    print(f"written: {folder.relative_to(ROOT)}/around.md")
 
 
 def scene(arguments, folder, name, duration, ground, size, start, segments):
@@ -258,7 +292,7 @@ def write_tables(path, presses, bodies):
     for row in bodies:
         values = [f"{key} {value:.4g}" for key, value in row.items() if key not in ("scene", "response")]
         lines += ["", f"* {row['scene']}, {row['response']}: " + ", ".join(values)]
-    for config in PRESSES:
+    for config in (config for config, (*_, names) in PRESSES.items() if "none" in names):
         ratios = []
         for row in presses:
             if row["scenario"] != config or row["response"] != "momentum":
@@ -275,6 +309,7 @@ def main():
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/release/fissure")
     parser.add_argument("-j", "--jobs", type=int, default=2)
     parser.add_argument("--friction", action="store_true", help="only the table of friction at the tool")
+    parser.add_argument("--around", action="store_true", help="only the sweep around the scene in which tissue does not slide")
     arguments = parser.parse_args()
     folder = ROOT / "results/response"
     folder.mkdir(parents=True, exist_ok=True)
@@ -282,9 +317,11 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         if arguments.friction:
             return friction_table(arguments, folder, pathlib.Path(scratch))
+        if arguments.around:
+            return around_table(arguments, folder, pathlib.Path(scratch))
         bodies += scenes(arguments, pathlib.Path(scratch))
         write(folder / "scenes.csv", bodies)
-        for config, (tool, resolutions, steps) in PRESSES.items():
+        for config, (tool, resolutions, steps, _) in PRESSES.items():
             for step in steps:
                 for nodes in resolutions:
                     for speed in SPEEDS_M_S:

@@ -68,6 +68,17 @@ TEST(Claims, BothResponsesAreSmooth) {
   }
 }
 
+TEST(Claims, WhereTissueDoesNotSlideTheForceIsAtMostTwiceAsRoughAsThatOfTheTissueAlone) {
+  for (const std::string speed : {"0.02", "0.1"}) {
+    const ResultInfo info = press("spatula_friction.yaml", "spatula", speed, 8,
+                                  {"--pipeline", "fukuhara", "--pipeline", "tissue_alone"});
+    EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0005);
+    EXPECT_LE(quantity(info, "fukuhara", "force_roughness_hc"),
+              2 * quantity(info, "tissue_alone", "force_roughness_hc"))
+        << speed;
+  }
+}
+
 TEST(Claims, SixteenNodesHoldToATenthOfAMillimetre) {
   const ResultInfo info = press("spatula_press.yaml", "spatula", "0.5", 16);
   EXPECT_LE(quantity(info, "fukuhara", "max_penetration_depth_m"), 0.0001);

@@ -231,6 +231,7 @@ TEST(Sweep, ShippedSweepsCanBeRun) {
   const std::map<std::string, std::string> plans = {
       {"hunt_crossley", "10000 points x 1 pipeline = 10000 runs in 1 simulation\n"},
       {"speed_thickness", "35 points x 3 pipelines = 105 runs in 105 simulations\n"},
+      {"force_roughness", "264 points x 2 pipelines = 528 runs in 528 simulations\n"},
       {"nodes_mesh", "22 points x 1 pipeline x 2 repeats = 44 runs in 44 simulations\n"},
       {"fit_liver", "475 points x 1 pipeline = 475 runs in 1 simulation\n"}};
   std::size_t found = 0;
