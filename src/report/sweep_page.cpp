@@ -44,9 +44,11 @@ std::vector<Value> picked(const std::vector<Value>& all, const std::vector<std::
 PageJson axesJson(const SweepTable& table, const std::vector<std::size_t>& runs) {
   PageJson axes = PageJson::array();
   for (const SweepAxisColumn& axis : table.layout().axes) {
+    // Texts hold their numbers as the scenario has them: the unit stays in their name.
     PageJson json = {{"name", axis.name},
                      {"path", axis.path},
-                     {"unit", summaryUnit(axis.name)},
+                     {"label", axis.numeric ? withoutUnit(axis.name) : axis.name},
+                     {"unit", axis.numeric ? summaryUnit(axis.name) : "1"},
                      {"numeric", axis.numeric}};
     if (axis.numeric) {
       const std::vector<double> values = picked(table.numbers(axis.name), runs);
@@ -67,6 +69,7 @@ PageJson metricsJson(const SweepTable& table, const std::vector<std::size_t>& ru
   PageJson metrics = PageJson::array();
   for (const SweepMetric& metric : table.layout().metrics)
     metrics.push_back({{"name", metric.name},
+                       {"label", withoutUnit(metric.name)},
                        {"unit", summaryUnit(metric.name)},
                        {"data", packedNumbers(picked(table.numbers(metric.name), runs))}});
   return metrics;

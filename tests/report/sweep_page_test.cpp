@@ -140,6 +140,22 @@ TEST(SweepPage, HasEveryRunAndHowItEnded) {
   EXPECT_EQ(text, pageText(sweepPage(folder / "sweep.h5", "fissure test")));
 }
 
+TEST(SweepPage, AxesHaveTheUnitsOfTheirNamesAndTextsNone) {
+  const TemporaryFolder folder;
+  SweepTableLayout layout;
+  layout.axes = {{"stiffness_N_m", "tools.spatula.coupling.stiffness_N_m", true},
+                 {"start_m", "tools.spatula.motion.start_m", false}};
+  layout.runs = 1;
+  SweepTableWriter writer(folder / "sweep.h5", layout);
+  writer.append({0, 0, "soft", "ok", "", "", {"3000", "[0, 0.062, 0]"}, {}, {}});
+  writer.finish(true);
+  const PageJson axes = sweepPage(folder / "sweep.h5", "").at("axes");
+  EXPECT_EQ(axes[0].at("unit"), "N m-1");
+  EXPECT_EQ(axes[0].at("label"), "stiffness");
+  EXPECT_EQ(axes[1].at("unit"), "1");
+  EXPECT_EQ(axes[1].at("label"), "start_m") << "its values are in metres";
+}
+
 // sample_sweep.h: in its pipeline "default" the depth at the first instant is the run's number, 0, 2, 4
 // ... 40.
 TEST(SweepPage, CurvesHaveQuantilesAndSingleRuns) {

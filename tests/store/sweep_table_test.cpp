@@ -111,6 +111,21 @@ TEST(SweepTable, KeepsNumbersToTheLastBit) {
             "6,0,p,0,0.001,ok,,,1e+22\n");
 }
 
+TEST(SweepTable, NumericAxesHaveTheUnitsOfTheirNames) {
+  const TemporaryFolder folder;
+  SweepTableLayout layout = smallLayout(1);
+  layout.axes = {{"stiffness_N_m", "tools.spatula.coupling.stiffness_N_m", true},
+                 {"start_m", "tools.spatula.motion.start_m", false}};
+  SweepTableWriter writer(folder / "sweep.h5", layout);
+  writer.append({0, 0, "p", "ok", "", "", {"3000", "[0, 0.062, 0]"}, {1}, {}});
+  writer.finish(true);
+  const std::string check = "/usr/bin/python3 -c \"import h5py; f = h5py.File('" +
+                            (folder / "sweep.h5").string() +
+                            "'); assert [f[n].attrs['units'] for n in ('stiffness_N_m', 'start_m')] == "
+                            "['N m-1', '1']\"";
+  EXPECT_EQ(std::system(check.c_str()), 0);
+}
+
 TEST(SweepTable, QuotesFieldsAsRfc4180Says) {
   EXPECT_EQ(csvField("plain text"), "plain text");
   EXPECT_EQ(csvField("a,b"), "\"a,b\"");

@@ -30,15 +30,15 @@ const endOf = Uint8Array.from({length: RUNS}, (none, run) => ({ok: GOOD, missing
 const allRuns = Array.from({length: RUNS}, (none, run) => run);
 
 // Shown unit and the factor to it.
-const UNITS = {m: ['mm', 1000], 'm s-1': ['m/s', 1], us: ['µs', 1], 1: ['', 1]};
-const ENDINGS = /_(m_s|m|N|s|us|hz|J)$/;
-const inWords = name => (name.startsWith('timing/') ? name.slice(7) : name).replace(ENDINGS, '').replaceAll('_', ' ');
+const UNITS = {m: ['mm', 1000], 'm s-1': ['m/s', 1], 'm s-2': ['m/s²', 1], 'N m-1': ['N/m', 1], 'N s m-1': ['N s/m', 1],
+  'kg m-3': ['kg/m³', 1], degree: ['°', 1], pixel: ['px', 1], us: ['µs', 1], 1: ['', 1]};
+const inWords = name => (name.startsWith('timing/') ? name.slice(7) : name).replaceAll('_', ' ');
 
 // One column of numbers: an axis or a metric, in the unit that is shown.
 function quantity(source, isAxis) {
   const [unit, factor] = UNITS[source.unit] ?? [source.unit, 1];
   const made = {name: source.name, path: source.path, unit, isAxis, text: source.numeric === false, levels: null};
-  made.label = isAxis ? source.name.replace(ENDINGS, '') : inWords(source.name);
+  made.label = isAxis ? source.label : inWords(source.label);
   if (source.levels) {
     made.codes = codesOf(source.levels.codes);
     made.levels = made.text ? source.levels.values : source.levels.values.map(v => v * factor);
