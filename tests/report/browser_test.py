@@ -228,11 +228,35 @@ def check_keys_and_lists(driver, where):
     check("1000 mm" in wide["holds"] and wide["holds"] != shown["holds"], f"{where}: bound: {wide['holds']}")
 
 
+# The first map, of a pipeline whose runs have no value of the chosen quantity: its share of ink, and what is read out.
+NO_VALUE = """
+const select = document.querySelector('select[aria-label=Colour]');
+select.selectedIndex = [...select.options].findIndex(option => option.text === 'node switch rate, Hz');
+select.dispatchEvent(new Event('change'));
+const canvas = document.querySelector('.maps canvas');
+canvas.dispatchEvent(new KeyboardEvent('keydown', {key: 'ArrowRight', bubbles: true, cancelable: true}));
+const pixels = canvas.getContext('2d').getImageData(64, 8, canvas.width - 76, canvas.height - 52).data;
+let ink = 0;
+for (let i = 3; i < pixels.length; i += 4) ink += pixels[i] > 0;
+return {ink: 4 * ink / pixels.length, readout: document.querySelector('.readout').textContent,
+  legend: document.querySelector('.legend').innerText};
+"""
+
+
+def check_no_value(driver, where):
+    shown = driver.execute_script(NO_VALUE)
+    check(": no node switch rate · run " in shown["readout"], f"{where}: no value: {shown['readout']}")
+    if "grid" in where:
+        check(0.01 < shown["ink"] < 0.15, f"{where}: cells without a value are no small circles: {shown['ink']}")
+        check("no value" in shown["legend"] and "not run" in shown["legend"], f"{where}: legend: {shown['legend']}")
+
+
 def check_sweep_page(driver, page, width, keep):
     where = f"{page.name} at {width} px"
     open_at(driver, page, width)
     check_brush(driver, where)
     check_keys_and_lists(driver, where)
+    check_no_value(driver, where)
     text = driver.execute_script("return document.body.innerText")
     for words in ("</script><b>which</b>", "Best fits", "Failures by reason", "tools.spatula.motion.speed_m_s", "not run"):
         check(words in text, f"{where}: does not say {words}")

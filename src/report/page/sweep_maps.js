@@ -17,7 +17,7 @@ function reduced(runs) {
   return sorted.length ? sorted[[0, (sorted.length - 1) >> 1, sorted.length - 1][maps.reduce]] : null;
 }
 
-// The cells of a panel: their runs, and the run that stands for them.
+// The cells of a panel: their runs, the run whose value is drawn (null where none has one), and the one that is read out.
 function cellsOf(pipeline) {
   const cells = new Map(), wide = maps.y.levels.length;
   for (let run = 0; run < RUNS; ++run) {
@@ -29,6 +29,7 @@ function cellsOf(pipeline) {
   }
   for (const cell of cells.values()) {
     cell.run = reduced(cell.good);
+    cell.spoken = cell.run ?? cell.good[0] ?? cell.bad[0] ?? cell.missing[0];
     cell.all = [...cell.good, ...cell.bad, ...cell.missing];
     cell.inside = cell.all.some(run => chosen.inside[run]);
     cell.pinned = cell.all.includes(chosen.pinned);
@@ -52,12 +53,22 @@ function hatch(context, x, y, width, height) {
   context.restore();
 }
 
+function openCircle(context, x, y, size) {
+  context.strokeStyle = '#6e7781';
+  context.lineWidth = 1.2;
+  context.beginPath();
+  context.arc(x, y, size, 0, 2 * Math.PI);
+  context.stroke();
+}
+
 function drawCell(context, cell, box, colour) {
   const {x, y, width, height} = box;
   context.globalAlpha = cell.inside ? 1 : 0.2;
   if (cell.run !== null) {
     context.fillStyle = colourAt(colour.at(maps.metric.values[cell.run]));
     context.fillRect(x, y, width, height);
+  } else if (cell.good.length) {
+    openCircle(context, x + width / 2, y + height / 2, Math.min(4, width / 3, height / 3));
   } else if (cell.bad.length) {
     context.fillStyle = '#fdeeea';
     context.fillRect(x, y, width, height);
@@ -65,7 +76,7 @@ function drawCell(context, cell, box, colour) {
   } else {
     hatch(context, x, y, width, height);
   }
-  if (cell.run !== null && cell.bad.length) {
+  if (cell.good.length && cell.bad.length) {
     context.fillStyle = '#fff';
     context.fillRect(x + width - 9, y, 9, 9);
     cross(context, x + width - 4.5, y + 4.5, 3);
@@ -226,17 +237,18 @@ function drawColourBar(colour) {
 
 function spokenRun(run) {
   const values = varying.map(axis => axis.label + ' ' + axis.show(axis.values[run])).join(', ');
-  const end = endOf[run] === GOOD ? maps.metric.label + ' ' + maps.metric.show(maps.metric.values[run])
+  const value = maps.metric.values[run];
+  const end = endOf[run] === GOOD ? Number.isNaN(value) ? 'no ' + maps.metric.label : maps.metric.label + ' ' + maps.metric.show(value)
     : endOf[run] === MISSING ? 'not run' : statusOf(run) + (detailOf(run) ? ': ' + detailOf(run) : '');
   return pipelines[pipelineOf[run]] + ', ' + values + ': ' + end +
     ' · run ' + numberOf(run) + ', point ' + points[run] + (fileOf(run) ? ', ' + fileOf(run) : '');
 }
 
 function spokenCell(cell) {
-  const run = cell.run ?? cell.bad[0] ?? cell.missing[0], more = cell.all.length - 1;
+  const standing = cell.run === null ? 'one' : 'the ' + REDUCTIONS[maps.reduce];
   const counted = [[cell.good, 'good'], [cell.bad, 'failed'], [cell.missing, 'not run']].filter(([runs]) => runs.length)
     .map(([runs, word]) => runs.length + ' ' + word).join(', ');
-  return spokenRun(run) + (more > 0 ? ' · the ' + REDUCTIONS[maps.reduce] + ' of ' + cell.all.length + ' runs (' +
+  return spokenRun(cell.spoken) + (cell.all.length > 1 ? ' · ' + standing + ' of ' + cell.all.length + ' runs (' +
     counted + ')' : '');
 }
 
@@ -253,7 +265,7 @@ function found(panel, x, y) {
   return best;
 }
 
-const runAt = spot => spot.all ? spot.run ?? spot.bad[0] ?? spot.missing[0] : spot.run;
+const runAt = spot => spot.all ? spot.spoken : spot.run;
 const spoken = spot => spot.all ? spokenCell(spot) : spokenRun(spot.run);
 
 function readOut(spot) {
@@ -326,24 +338,25 @@ function mapControls() {
   return made;
 }
 
+function legendMark(word, draw) {
+  const canvas = element('canvas', {'aria-hidden': 'true'});
+  draw(prepared(canvas, 18, 18));
+  return element('span', {class: 'mark'}, canvas, ' ' + word);
+}
+
 function mapLegend() {
-  const canvas = element('canvas', {'aria-hidden': 'true'}), wide = 300;
-  const context = prepared(canvas, wide, 20);
-  context.textBaseline = 'middle';
-  context.fillStyle = '#fdeeea';
-  context.fillRect(1, 2, 16, 16);
-  cross(context, 9, 10, 5);
-  context.fillStyle = INK;
-  context.fillText('failed', 22, 11);
-  hatch(context, 80, 2, 16, 16);
-  context.strokeStyle = '#9aa4ae';
-  context.strokeRect(80.5, 2.5, 15, 15);
-  context.fillText('not run', 101, 11);
-  context.strokeStyle = FAINT;
-  context.strokeRect(165.5, 2.5, 15, 15);
-  context.fillText('no run planned', 186, 11);
-  return drawsCells() ? canvas : element('span', {class: 'soft'},
+  if (!drawsCells()) return element('span', {class: 'soft'},
     'A red cross is a failed run, an open circle one without a value.');
+  const edge = (context, colour) => { context.strokeStyle = colour; context.strokeRect(1.5, 1.5, 15, 15); };
+  return element('span', {},
+    legendMark('failed', context => {
+      context.fillStyle = '#fdeeea';
+      context.fillRect(1, 1, 16, 16);
+      cross(context, 9, 9, 5);
+    }),
+    legendMark('no value', context => { edge(context, FAINT); openCircle(context, 9, 9, 4); }),
+    legendMark('not run', context => { hatch(context, 1, 1, 16, 16); edge(context, '#9aa4ae'); }),
+    legendMark('no run planned', context => edge(context, FAINT)));
 }
 
 function mapSection() {

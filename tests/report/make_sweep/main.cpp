@@ -55,7 +55,7 @@ SweepTableLayout layoutOf(bool grid, std::size_t runs) {
   layout.metrics = {
       {"max_penetration_depth_m"}, {"max_force_N"},          {"max_force_hc_N"}, {"force_roughness"},
       {"passed_through_samples"},  {"first_contact_time_s"}, {"misfit_N"},       {"steps"},
-      {"timing/mean_step_us"}};
+      {"node_switch_rate_hz"},     {"timing/mean_step_us"}};
   layout.curves = {{"penetration_depth", "m", "penetration depth"},
                    {"force", "N", "size of the total force on the tools", true}};
   for (std::size_t i = 0; i < times; ++i) {
@@ -68,7 +68,8 @@ SweepTableLayout layoutOf(bool grid, std::size_t runs) {
   return layout;
 }
 
-/// Slow and thick holds; the default lets fast blades through; ray casting alone loses stiff ones.
+/// Slow and thick holds; the default lets fast blades through and has no nodes; ray casting alone loses stiff
+/// ones.
 SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
   SweepRun run;
   const std::size_t pipeline = number % 3;
@@ -111,6 +112,7 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
                  0.08,
                  misfit_N,
                  lost ? 200. : 600.,
+                 pipeline == 0 ? missing : 8 + share(number, 6),
                  90 + 20 * share(number, 9)};
   if (none) std::fill(run.metrics.begin(), run.metrics.end(), missing);
   return run;
