@@ -12,6 +12,7 @@ namespace {
 constexpr std::size_t most_examples = 3;
 constexpr std::size_t most_axes = 3;
 constexpr double most_share = 0.75;
+constexpr std::size_t most_texts = 12;
 
 bool isDigit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
@@ -53,33 +54,55 @@ std::vector<SweepFailure> failuresOf(const std::vector<std::string>& status,
   return failures;
 }
 
-/// Where along one axis a failure's runs lie.
-FailurePlace placeOf(const SweepFailure& failure, const std::string& axis, const std::vector<double>& values,
-                     const std::vector<std::string>& pipelines) {
+/// What share of the runs of a failure's pipelines lies `inside`.
+template <typename Inside>
+double shareOf(const SweepFailure& failure, const std::vector<std::string>& pipelines, const Inside& inside) {
   std::set<std::string> own;
   for (const std::size_t run : failure.runs) own.insert(pipelines[run]);
-  const auto less = [&](std::size_t a, std::size_t b) { return values[a] < values[b]; };
-  const auto [low, high] = std::minmax_element(failure.runs.begin(), failure.runs.end(), less);
-  FailurePlace place{axis, values[*low], values[*high]};
-  double all = 0, inside = 0;
+  double all = 0, some = 0;
   for (std::size_t run = 0; run < pipelines.size(); ++run) {
     if (!own.contains(pipelines[run])) continue;
     ++all;
-    if (values[run] >= place.from && values[run] <= place.to) ++inside;
+    if (inside(run)) ++some;
   }
-  place.share = inside / all;
+  return some / all;
+}
+
+/// Where along one numeric axis a failure's runs lie.
+FailurePlace placeOf(const SweepFailure& failure, const std::string& axis, const std::vector<double>& values,
+                     const std::vector<std::string>& pipelines) {
+  const auto less = [&](std::size_t a, std::size_t b) { return values[a] < values[b]; };
+  const auto [low, high] = std::minmax_element(failure.runs.begin(), failure.runs.end(), less);
+  FailurePlace place{axis, values[*low], values[*high], {}};
+  place.share = shareOf(failure, pipelines, [&](std::size_t run) {
+    return values[run] >= place.from && values[run] <= place.to;
+  });
+  return place;
+}
+
+/// At which values of an axis of texts a failure's runs lie.
+FailurePlace placeOf(const SweepFailure& failure, const std::string& axis,
+                     const std::vector<std::string>& values, const std::vector<std::string>& pipelines) {
+  std::set<std::string> texts;
+  for (const std::size_t run : failure.runs) texts.insert(values[run]);
+  FailurePlace place{axis, 0, 0, {texts.begin(), texts.end()}};
+  place.share = shareOf(failure, pipelines, [&](std::size_t run) { return texts.contains(values[run]); });
   return place;
 }
 
 void findPlaces(const SweepTable& table, const std::vector<std::string>& pipelines,
                 std::vector<SweepFailure>& failures) {
   for (const SweepAxisColumn& axis : table.layout().axes) {
-    if (!axis.numeric) continue;
-    const std::vector<double> values = table.numbers(axis.name);
-    for (SweepFailure& failure : failures) {
-      const FailurePlace place = placeOf(failure, axis.name, values, pipelines);
-      if (place.share <= most_share) failure.where.push_back(place);
-    }
+    const auto find = [&](const auto& values, const auto& says) {
+      for (SweepFailure& failure : failures) {
+        const FailurePlace place = placeOf(failure, axis.name, values, pipelines);
+        if (says(place)) failure.where.push_back(place);
+      }
+    };
+    if (axis.numeric)
+      find(table.numbers(axis.name), [](const FailurePlace& place) { return place.share <= most_share; });
+    else
+      find(table.texts(axis.name), [](const FailurePlace& place) { return place.share < 1; });
   }
   for (SweepFailure& failure : failures) {
     std::stable_sort(failure.where.begin(), failure.where.end(),
@@ -94,6 +117,17 @@ PageJson pipelinesOf(const SweepFailure& failure, const std::vector<std::string>
   PageJson json = PageJson::array();
   for (const auto& [name, count] : counts) json.push_back({name, count});
   return json;
+}
+
+PageJson placeJson(const FailurePlace& place) {
+  if (place.texts.empty())
+    return {{"axis", place.axis}, {"from", place.from}, {"to", place.to}, {"share", place.share}};
+  std::vector<std::string> values = place.texts;
+  values.resize(std::min(values.size(), most_texts));
+  return {{"axis", place.axis},
+          {"values", values},
+          {"more", place.texts.size() - values.size()},
+          {"share", place.share}};
 }
 
 }  // namespace
@@ -133,8 +167,7 @@ PageJson failuresJson(const SweepEnds& ends) {
     std::vector<std::size_t> examples = failure.runs;
     examples.resize(std::min(examples.size(), most_examples));
     PageJson where = PageJson::array();
-    for (const FailurePlace& place : failure.where)
-      where.push_back({{"axis", place.axis}, {"from", place.from}, {"to", place.to}, {"share", place.share}});
+    for (const FailurePlace& place : failure.where) where.push_back(placeJson(place));
     json.push_back({{"status", failure.status},
                     {"reason", failure.reason},
                     {"count", failure.runs.size()},

@@ -16,8 +16,9 @@ std::string withoutNumbers(const std::string& reason);
 /// Where along an axis failed runs lie, and what share of all runs of the same pipelines does.
 struct FailurePlace {
   std::string axis;
-  double from = 0;
-  double to = 0;
+  double from = 0;                 ///< of a numeric axis
+  double to = 0;                   ///< of a numeric axis
+  std::vector<std::string> texts;  ///< of an axis of texts: the values at which they failed, sorted
   double share = 0;
 };
 
@@ -26,7 +27,9 @@ struct SweepFailure {
   std::string status;
   std::string reason;  ///< without numbers
   std::vector<std::size_t> runs;
-  std::vector<FailurePlace> where;  ///< up to three axes with a share of at most three quarters
+  /// Up to three axes, the smallest share first: numeric ones with a share of at most three quarters, and
+  /// those of texts where not all values failed.
+  std::vector<FailurePlace> where;
 };
 
 /// How the runs of a sweep ended, all of them.
@@ -43,7 +46,8 @@ inline constexpr const char* good_run = "ok";
 
 SweepEnds sweepEnds(const SweepTable& table);
 
-/// [{status, reason, count, examples: [run], pipelines: [[name, count]], where: [{axis, from, to, share}]}]
+/// [{status, reason, count, examples: [run], pipelines: [[name, count]], where: [{axis, from, to, share}]}];
+/// of an axis of texts instead of from and to: values, up to a dozen, and more, the number of the others.
 PageJson failuresJson(const SweepEnds& ends);
 
 }  // namespace fissure

@@ -248,6 +248,8 @@ def check_no_value(driver, where):
     check(": no node switch rate · run " in shown["readout"], f"{where}: no value: {shown['readout']}")
     if "grid" in where:
         check(0.01 < shown["ink"] < 0.15, f"{where}: cells without a value are no small circles: {shown['ink']}")
+        places = driver.execute_script("return document.querySelector('.failures').innerText")
+        check("rate = velocities (" in places and "nowhere" not in places, f"{where}: failures where: {places}")
         check("no value" in shown["legend"] and "not run" in shown["legend"], f"{where}: legend: {shown['legend']}")
 
 

@@ -5,6 +5,7 @@
 #include <bit>
 #include <chrono>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <set>
 
@@ -117,6 +118,41 @@ TEST(SweepFailures, SameReasonsAreOneWithTheirPlaceInTheAxes) {
   EXPECT_EQ(failure.at("where").dump(), R"([{"axis":"k","from":8.0,"to":9.0,"share":0.2}])");
   EXPECT_EQ(ends.reasons[17], 0U);
   EXPECT_EQ(ends.reasons[4], 1U) << "a run that nobody has run has not failed";
+}
+
+/// A sweep over `runs` texts, of which those that `fail` says have failed.
+PageJson placesOfTexts(const std::filesystem::path& path, int runs, const std::function<bool(int)>& fail) {
+  SweepTableLayout layout;
+  layout.design = "grid";
+  layout.axes = {{"start_m", "tools.spatula.motion.start_m", false}};
+  layout.runs = static_cast<std::size_t>(runs);
+  SweepTableWriter writer(path, layout);
+  for (int run = 0; run < runs; ++run)
+    writer.append({run,
+                   0,
+                   "soft",
+                   fail(run) ? "timeout" : "ok",
+                   "",
+                   "",
+                   {"[0, " + std::to_string(10 + run) + "]"},
+                   {},
+                   {}});
+  writer.finish(true);
+  return failuresJson(sweepEnds(SweepTable(path))).at(0).at("where");
+}
+
+TEST(SweepFailures, AxesOfTextsSayAtWhichValues) {
+  const TemporaryFolder folder;
+  const auto places = [&](int runs, const std::function<bool(int)>& fail) {
+    return placesOfTexts(folder / "sweep.h5", runs, fail);
+  };
+  EXPECT_EQ(places(10, [](int run) { return run == 3 || run == 7; }).dump(),
+            R"([{"axis":"start_m","values":["[0, 13]","[0, 17]"],"more":0,"share":0.2}])");
+  EXPECT_EQ(places(10, [](int run) { return run > 0; })[0].at("share"), 0.9);
+  EXPECT_EQ(places(10, [](int) { return true; }).dump(), "[]");
+  const PageJson many = places(40, [](int run) { return run < 20; });
+  EXPECT_EQ(many[0].at("values").size(), 12U);
+  EXPECT_EQ(many[0].at("more"), 8);
 }
 
 TEST(SweepPage, HasEveryRunAndHowItEnded) {

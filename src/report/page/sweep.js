@@ -136,12 +136,17 @@ function runSection() {
 
 // ---- failures and fits
 
-function placeOf(where) {
-  const axis = sweepAxes.find(one => one.name === where.axis),
-    factor = (UNITS[data.axes[sweepAxes.indexOf(axis)].unit] ?? ['', 1])[1];
+function rangeOf(axis, where) {
+  const factor = (UNITS[data.axes[sweepAxes.indexOf(axis)].unit] ?? ['', 1])[1];
   const [from, to] = [axis.show(where.from * factor), axis.show(where.to * factor)];
-  return axis.label + (from === to ? ' = ' + from : ' from ' + from + ' to ' + to) + ' (' +
-    percent(where.share, 1) + ' of all runs are there)';
+  return from === to ? ' = ' + from : ' from ' + from + ' to ' + to;
+}
+
+function placeOf(where) {
+  const axis = sweepAxes.find(one => one.name === where.axis);
+  const range = axis.text ? ' = ' + where.values.join(' or ') + (where.more ? ' or one of ' + where.more + ' more' : '')
+    : rangeOf(axis, where);
+  return axis.label + range + ' (' + percent(where.share, 1) + ' of all runs are there)';
 }
 
 function failureSection() {

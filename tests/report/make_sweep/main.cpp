@@ -69,7 +69,7 @@ SweepTableLayout layoutOf(bool grid, std::size_t runs) {
 }
 
 /// Slow and thick holds; the default lets fast blades through and has no nodes; ray casting alone loses stiff
-/// ones.
+/// ones; node pairs now and then crash with velocities.
 SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
   SweepRun run;
   const std::size_t pipeline = number % 3;
@@ -85,11 +85,13 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
   const double force_N = at.k * std::pow(0.02, at.n) * (1 + at.speed_m_s);
   const bool lost = pipeline == 1 && at.k > 4000 && at.speed_m_s > 0.2;
   const bool hung = pipeline == 0 && number % 97 == 5;
+  const bool crashed = pipeline == 2 && number / 3 % 2 == 1 && number % 5 == 2;
   const bool not_run = number % 211 == 7;
-  run.status = not_run ? "missing" : lost ? "non_finite" : hung ? "timeout" : "ok";
+  run.status = not_run ? "missing" : lost ? "non_finite" : hung ? "timeout" : crashed ? "crashed" : "ok";
   if (lost && !not_run) run.detail = "at step " + std::to_string(100 + number % 300) + ", t = 0.2 s";
   if (hung && !not_run) run.detail = "after 60 s at step " + std::to_string(number);
-  const bool none = not_run || hung;
+  if (crashed && !not_run) run.detail = "killed by signal 11 at step " + std::to_string(number);
+  const bool none = not_run || hung || crashed;
   double misfit_N = 0;
   for (std::size_t i = 0; i < times; ++i) {
     const double ramp = std::min(1.0, 0.012 * static_cast<double>(i));
