@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <vector>
 
 #include "base/error.h"
+#include "base/summary_unit.h"
 #include "scenario/scalars.h"
 #include "store/temporary_file.h"
 
@@ -17,32 +19,44 @@ namespace {
 
 constexpr std::size_t block_rows = 1024;
 
+enum class Field { number, count, text };
+
 struct Column {
   std::string name;
-  bool numeric = true;
+  Field field;
 };
 
 std::vector<Column> columnsOf(const SweepTableLayout& layout) {
-  std::vector<Column> columns = {{"run"}, {"point"}, {"pipeline", false}, {"repeat"}};
-  for (const SweepAxisColumn& axis : layout.axes) columns.push_back({axis.name, axis.numeric});
-  for (const char* name : {"status", "status_detail", "file"}) columns.push_back({name, false});
+  std::vector<Column> columns = {
+      {"run", Field::count}, {"point", Field::count}, {"pipeline", Field::text}, {"repeat", Field::count}};
+  for (const SweepAxisColumn& axis : layout.axes)
+    columns.push_back({axis.name, axis.numeric ? Field::number : Field::text});
+  for (const char* name : {"status", "status_detail", "file"}) columns.push_back({name, Field::text});
   for (const SweepMetric& metric : layout.metrics)
-    if (!metric.name.starts_with("timing/")) columns.push_back({metric.name});
+    if (!metric.name.starts_with("timing/"))
+      columns.push_back({metric.name, summaryUnit(metric.name) == "1" ? Field::count : Field::number});
   return columns;
 }
 
-std::string numberField(double number) {
-  return std::isnan(number) ? "" : formatReal(number);
+constexpr double past_whole_numbers = 0x1p53;
+
+/// Whole numbers of a count in digits: readers that want an integer refuse "1e+05".
+std::string numberField(double number, Field field) {
+  if (std::isnan(number)) return "";
+  const bool whole = number == std::trunc(number) && std::abs(number) < past_whole_numbers;
+  if (field == Field::count && whole && number != 0) return std::to_string(static_cast<std::int64_t>(number));
+  return formatReal(number);
 }
 
 /// The fields of some rows of a column.
 std::vector<std::string> fields(const SweepTable& table, const Column& column, std::size_t first,
                                 std::size_t count) {
   std::vector<std::string> made;
-  if (column.numeric) {
-    for (const double number : table.numbers(column.name, first, count)) made.push_back(numberField(number));
-  } else {
+  if (column.field == Field::text) {
     for (const std::string& text : table.texts(column.name, first, count)) made.push_back(csvField(text));
+  } else {
+    for (const double number : table.numbers(column.name, first, count))
+      made.push_back(numberField(number, column.field));
   }
   return made;
 }

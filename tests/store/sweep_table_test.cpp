@@ -111,6 +111,21 @@ TEST(SweepTable, KeepsNumbersToTheLastBit) {
             "6,0,p,0,0.001,ok,,,1e+22\n");
 }
 
+TEST(SweepTable, CountsAreDigitsInCsv) {
+  const TemporaryFolder folder;
+  SweepTableLayout layout = smallLayout(2);
+  layout.metrics = {{"rays"}, {"max_force_N"}};
+  SweepTableWriter writer(folder / "sweep.h5", layout);
+  writer.append({100000, 2000000, "p", "ok", "", "", {"1e5"}, {3e15, 1e5}, {}});
+  writer.append({1, 0, "p", "ok", "", "", {"1e5"}, {0.5, -0.0}, {}});
+  writer.finish(true);
+  writeSweepCsv(folder / "sweep.csv", SweepTable(folder / "sweep.h5"));
+  EXPECT_EQ(textOf(folder / "sweep.csv"),
+            "run,point,pipeline,repeat,k,status,status_detail,file,rays,max_force_N\n"
+            "0,100000,p,2000000,1e+05,ok,,,3000000000000000,1e+05\n"
+            "1,1,p,0,1e+05,ok,,,0.5,-0\n");
+}
+
 TEST(SweepTable, NumericAxesHaveTheUnitsOfTheirNames) {
   const TemporaryFolder folder;
   SweepTableLayout layout = smallLayout(1);
