@@ -27,13 +27,21 @@ def main():
     path = sys.argv[1]
     quantity = sys.argv[2] if len(sys.argv) > 2 else "max_penetration_depth_m"
     cube = sweep_cube(path)
+    if not (cube.status == "ok").any():
+        print(f"{path}: no run has ended well")
+        return
+    if quantity not in cube:
+        print(f"{path} has no {quantity}")
+        return
     values = cube[quantity]
     print(f"{quantity} in {values.attrs['units']} over", ", ".join(f"{k}: {n}" for k, n in values.sizes.items()))
     for pipeline in values.coords["pipeline"].values.flat if "pipeline" in values.dims else [None]:
         mine = values if pipeline is None else values.sel(pipeline=pipeline)
-        worst = mine.where(mine == mine.max(), drop=True).stack(run=mine.dims)
-        where = worst.dropna("run").isel(run=0)
-        at = ", ".join(f"{name} = {where[name].item()}" for name in mine.dims)
+        if mine.isnull().all():
+            print(f"{pipeline or 'all runs'}: no value")
+            continue
+        where = mine.isel(mine.argmax(dim=mine.dims)) if mine.dims else mine
+        at = ", ".join(f"{name} = {where[name].item()}" for name in mine.dims) or "the only point"
         print(f"{pipeline or 'all runs'}: {where.item():.6g} at {at}")
 
 

@@ -171,6 +171,33 @@ TEST(SweepTable, ReadsInXarrayAcrossBlocks) {
   expectReadableWithPython(3000, 3);
 }
 
+/// What sweep_cube.py says about a table of these rows, as it ends well.
+std::string cubeOf(const SweepTableLayout& layout, const std::vector<SweepRun>& rows) {
+  const TemporaryFolder folder;
+  SweepTableWriter writer(folder / "sweep.h5", layout);
+  for (const SweepRun& row : rows) writer.append(row);
+  writer.finish(true);
+  const std::string command = "cd " + folder.path().string() +
+                              " && /usr/bin/python3 -B " FISSURE_SOURCE_DIR
+                              "/scripts/examples/sweep_cube.py sweep.h5 max_force_N > said.txt 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0);
+  return textOf(folder / "said.txt");
+}
+
+TEST(SweepTable, CubesOfFewRunsAreSentences) {
+  const double none = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(cubeOf(smallLayout(1), {{0, 0, "p", "ok", "", "", {"1"}, {0.25}, {}}}),
+            "max_force_N in N over run: 1\nall runs: 0.25 at run = 0\n");
+  EXPECT_EQ(cubeOf(smallLayout(2), {{0, 0, "p", "ok", "", "", {"1"}, {none}, {}},
+                                    {0, 0, "q", "ok", "", "", {"1"}, {0.25}, {}}}),
+            "max_force_N in N over pipeline: 2\np: no value\nq: 0.25 at the only point\n");
+  SweepTableLayout bare = smallLayout(1);
+  bare.metrics.clear();
+  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", "failed", "", "", {"1"}, {}, {}}}),
+            "sweep.h5: no run has ended well\n");
+  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", "ok", "", "", {"1"}, {}, {}}}), "sweep.h5 has no max_force_N\n");
+}
+
 // With other provenance, and on another day.
 TEST(SweepTable, SameRowsGiveTheSameData) {
   const TemporaryFolder folder;
