@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <numeric>
+#include <set>
 
 #include "base/summary_unit.h"
 #include "report/packed.h"
@@ -39,6 +40,29 @@ std::vector<Value> picked(const std::vector<Value>& all, const std::vector<std::
   some.reserve(runs.size());
   for (const std::size_t run : runs) some.push_back(all[run]);
   return some;
+}
+
+/// Splits the combinations of values so far by the values of one more axis; returns how many of these differ.
+template <typename Value>
+std::size_t splitBy(const std::vector<Value>& values, std::vector<std::size_t>& combinations) {
+  std::map<std::pair<std::size_t, Value>, std::size_t> numbers;
+  for (std::size_t run = 0; run < values.size(); ++run)
+    combinations[run] = numbers.try_emplace({combinations[run], values[run]}, numbers.size()).first->second;
+  return std::set<Value>(values.begin(), values.end()).size();
+}
+
+/// Whether every value of each axis comes with every value of the others.
+bool isWholeGrid(const SweepTable& table) {
+  if (table.layout().design != "grid") return false;
+  std::vector<std::size_t> combinations(table.runs(), 0);
+  double all = 1;
+  for (const SweepAxisColumn& axis : table.layout().axes) {
+    const std::size_t values = axis.numeric ? splitBy(table.numbers(axis.name), combinations)
+                                            : splitBy(table.texts(axis.name), combinations);
+    all *= static_cast<double>(values);
+  }
+  const std::set<std::size_t> found(combinations.begin(), combinations.end());
+  return static_cast<double>(found.size()) == all;
 }
 
 PageJson axesJson(const SweepTable& table, const std::vector<std::size_t>& runs) {
@@ -142,6 +166,7 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
                    {"file", file.filename().string()},
                    {"program", program},
                    {"design", layout.design},
+                   {"whole_grid", isWholeGrid(table)},
                    {"complete", table.complete()},
                    {"total", table.runs()},
                    {"shown", runs.size()},

@@ -253,14 +253,46 @@ def check_no_value(driver, where):
         check("no value" in shown["legend"] and "not run" in shown["legend"], f"{where}: legend: {shown['legend']}")
 
 
+# Labels of the first map's columns, the axis being one of long texts: what they say, their title, what sticks out.
+TEXT_LABELS = """
+const select = document.querySelector('select[aria-label=Across]');
+select.selectedIndex = [...select.options].findIndex(option => option.text === 'segments_0');
+select.dispatchEvent(new Event('change'));
+const map = document.querySelector('.maps figure'), right = map.getBoundingClientRect().right;
+return [...map.querySelectorAll('.label')].map(one => [one.textContent, one.title,
+  one.getBoundingClientRect().width > 40 && one.getBoundingClientRect().right <= right]);
+"""
+
+
+def check_text_labels(driver, where):
+    labels = driver.execute_script(TEXT_LABELS)
+    hold = "{move_to_m: [0, 0.052, 0], hold_s: %d, at the end}"
+    check(labels == [[f"…{i}, at the end}}", hold % i, True] for i in (0, 1, 2, 3)], f"{where}: text labels: {labels}")
+
+
+def check_failed_page(driver, page, width, keep):
+    where = f"{page.name} at {width} px"
+    open_at(driver, page, width)
+    text = driver.execute_script("return document.body.innerText")
+    check("No run has ended well, so no pipeline holds." in text, f"{where}: which pipeline holds: {text[:500]}")
+    check(text.count("No run has ended well, so there is nothing to draw.") == 2, f"{where}: maps and curves")
+    check("Choose runs above" not in text and "before its first step" in text, f"{where}: curves or failures")
+    check_width_and_console(driver, where)
+    if keep:
+        driver.save_screenshot(str(pathlib.Path(keep) / f"{page.stem}_{width}.png"))
+
+
 def check_sweep_page(driver, page, width, keep):
     where = f"{page.name} at {width} px"
     open_at(driver, page, width)
     check_brush(driver, where)
     check_keys_and_lists(driver, where)
     check_no_value(driver, where)
+    if "grid" in where:
+        check_text_labels(driver, where)
     text = driver.execute_script("return document.body.innerText")
-    for words in ("</script><b>which</b>", "Best fits", "Failures by reason", "tools.spatula.motion.speed_m_s", "not run"):
+    for words in ("</script><b>which</b>", "Best fits", "Failures by reason", "tools.spatula.motion.speed_m_s", "not run",
+                  "a grid without some combinations" if "grid" in where else "Sobol points"):
         check(words in text, f"{where}: does not say {words}")
     check_width_and_console(driver, where)
     if keep:
@@ -268,7 +300,7 @@ def check_sweep_page(driver, page, width, keep):
 
 
 def make_sweeps(program, make_sweep, folder):
-    for design, runs in (("grid", "378"), ("sobol", "240")):
+    for design, runs in (("grid", "378"), ("sobol", "240"), ("failed", "12")):
         subprocess.run([make_sweep, f"{design}.h5", design, runs], cwd=folder, check=True)
         subprocess.run([program, "report", f"{design}.h5"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
@@ -300,6 +332,7 @@ def main():
                 check_folder_page(driver, folder / "index.html", width)
                 for design in ("grid", "sobol"):
                     check_sweep_page(driver, folder / f"{design}.html", width, arguments.keep)
+                check_failed_page(driver, folder / "failed.html", width, arguments.keep)
         finally:
             driver.quit()
     for problem in problems:

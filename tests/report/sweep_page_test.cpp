@@ -161,6 +161,7 @@ TEST(SweepPage, HasEveryRunAndHowItEnded) {
   const PageJson page = sweepPage(folder / "sweep.h5", "fissure test");
   EXPECT_EQ(page.at("kind"), "sweep");
   EXPECT_EQ(page.at("total"), 20);
+  EXPECT_TRUE(page.at("whole_grid"));
   EXPECT_EQ(page.at("shown"), 20);
   EXPECT_TRUE(page.at("numbers").is_null());
   EXPECT_EQ(page.at("counts").dump(),
@@ -198,6 +199,7 @@ TEST(SweepPage, CurvesHaveQuantilesAndSingleRuns) {
   const TemporaryFolder folder;
   writeSampleSweep(folder / "sweep.h5", sampleSweep(42, 200));
   const PageJson page = sweepPage(folder / "sweep.h5", "fissure test");
+  EXPECT_FALSE(page.at("whole_grid")) << "21 of 5 x 5 points";
   const PageJson& curves = page.at("curves");
   EXPECT_EQ(curves.at("every"), 3);
   EXPECT_EQ(curves.at("times_s").size(), 67U);

@@ -1,7 +1,8 @@
 // The page of a sweep: its texts and tables, and the order of its parts.
 
 const state_of_page = {bound_mm: 0.5};
-const DESIGNS = {grid: 'a grid: every value of each axis with every value of the others', random: 'random points',
+const DESIGNS = {grid: data.whole_grid ? 'a grid: every value of each axis with every value of the others'
+  : 'a grid without some combinations of its values: axes go together, or points are excluded', random: 'random points',
   latin_hypercube: 'a Latin hypercube: points spread evenly along each axis',
     sobol: 'Sobol points: spread evenly over all axes'};
 
@@ -10,6 +11,9 @@ function countOf(test) {
 }
 
 const isFailed = status => status !== 'ok' && status !== 'missing';
+// Why there is nothing to compare; null where there is.
+const noneGood = () => countOf(status => status === 'ok') ? null : data.total === 0 ? 'There are no runs'
+  : countOf(isFailed) ? 'No run has ended well' : 'No run has been run yet';
 const plural = (count, word) => count + ' ' + word + (count === 1 ? '' : 's');
 
 function sweepHeading() {
@@ -55,7 +59,10 @@ function holdRow(code, depth, passed) {
 
 function holdSection() {
   const depth = metricNamed('max_penetration_depth_m'), passed = metricNamed('passed_through_samples') ?? null;
-  if (!depth) return;
+  if (!depth) {
+    if (noneGood()) section('Which pipeline holds', element('p', {}, noneGood() + ', so no pipeline holds.'));
+    return;
+  }
   const bound = element('input', {type: 'number', min: 0, step: 'any', value: state_of_page.bound_mm, id: 'bound'});
   const head = () => ['', 'holds: at most ' + short(state_of_page.bound_mm) + ' mm deep', 'passed through',
     'state not finite', 'failed otherwise',

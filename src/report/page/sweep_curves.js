@@ -33,9 +33,14 @@ const trackTitle = track => inWords(track.curve) + (track.law ? ' of ' + track.l
   (track.shown ? ', ' + track.shown : '');
 const isForce = track => track.unit === 'N' && data.curves.measured.length > 0;
 
-// Which single runs are drawn: the pinned one, then chosen ones in their order, where not all are chosen.
-function singleRuns() {
-  const some = chosen.count < RUNS ? Array.from(curves.kept).filter(run => chosen.inside[run]) : [];
+const hasBand = track => track.bands.some(band => band.median.some(v => v !== null));
+const hasOwn = (track, run) => curves.rows.has(run) && Number.isFinite(track.lows[curves.rows.get(run)]);
+
+// Which single runs are drawn: the pinned one, then chosen ones in their order, where not all are chosen or there is
+// nothing else to see.
+function singleRuns(track) {
+  const some = !hasBand(track) ? Array.from(curves.kept).filter(run => chosen.inside[run] && hasOwn(track, run))
+    : chosen.count < RUNS ? Array.from(curves.kept).filter(run => chosen.inside[run]) : [];
   const shown = some.slice(0, MOST_LINES).filter(run => run !== chosen.pinned);
   if (chosen.pinned !== null && curves.rows.has(chosen.pinned)) shown.push(chosen.pinned);
   return {shown, of: some.length};
@@ -75,7 +80,7 @@ function drawCurves() {
     table.push(data.curves.measured);
     series.push({stroke: '#000', width: 2.5, dash: [2, 4], points: {show: false}});
   }
-  const firstSingle = table.length, {shown, of} = singleRuns();
+  const firstSingle = table.length, {shown, of} = singleRuns(track);
   for (const run of shown) {
     table.push(ownCurve(track, run));
     const pinned = run === chosen.pinned;
@@ -96,15 +101,17 @@ function drawCurves() {
     hooks: {setCursor: [chart => readCurves(track, chart.cursor.idx)]},
   }, table, curves.holder);
   curves.holder.setAttribute('aria-label', trackTitle(track) + ' over time, by pipeline');
-  curves.note.textContent = noteOnSingles(of, shown);
+  curves.note.textContent = noteOnSingles(track, of, shown);
   readCurves(track, null);
 }
 
-function noteOnSingles(of, shown) {
+function noteOnSingles(track, of, shown) {
   const held = curves.kept.length < RUNS ? ' The page holds the curves of ' + curves.kept.length + ' runs.' : '';
   const pinned = chosen.pinned === null ? '' : curves.rows.has(chosen.pinned)
     ? ' Black: run ' + numberOf(chosen.pinned) + '.' : ' The curve of run ' + numberOf(chosen.pinned) +
       ' is not among them.';
+  if (!hasBand(track)) return (noneGood() ?? 'No good run has this curve') + '. ' + (of ? 'Thin: ' + shown.length + ' of ' + of +
+    ' runs, as far as they came.' : 'No run has this curve.') + pinned;
   if (chosen.count === RUNS) return 'Choose runs above to see their own curves.' + held + pinned;
   const singles = shown.filter(run => run !== chosen.pinned).length;
   return 'Thin: ' + singles + (of > singles ? ' of ' + of : '') + ' chosen runs.' + held + pinned;
@@ -121,6 +128,10 @@ function readCurves(track, index) {
 function curveSection() {
   if (!data.curves) return;
   openTracks();
+  if (!data.curves.tracks.some(track => hasBand(track) || allRuns.some(run => hasOwn(track, run)))) {
+    section('Curves', element('p', {}, (noneGood() ?? 'No run has a curve') + ', so there is nothing to draw.'));
+    return;
+  }
   const tracks = data.curves.tracks, names = [...new Set(tracks.map(track => track.curve))];
   const force = tracks.findIndex(track => track.unit === 'N');
   curves.track = Math.max(0, force);

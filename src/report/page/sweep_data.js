@@ -34,6 +34,14 @@ const UNITS = {m: ['mm', 1000], 'm s-1': ['m/s', 1], 'm s-2': ['m/s²', 1], 'N m
   'kg m-3': ['kg/m³', 1], degree: ['°', 1], pixel: ['px', 1], us: ['µs', 1], 1: ['', 1]};
 const inWords = name => (name.startsWith('timing/') ? name.slice(7) : name).replaceAll('_', ' ');
 
+// Texts without the words that all of them begin with.
+function toldApart(texts) {
+  let same = texts.length > 1 ? texts[0].length : 0;
+  for (const text of texts) while (!text.startsWith(texts[0].slice(0, same))) --same;
+  const start = texts[0] ? texts[0].slice(0, same).lastIndexOf(' ') + 1 : 0;
+  return start > 0 ? texts.map(text => '…' + text.slice(start)) : texts;
+}
+
 // One column of numbers: an axis or a metric, in the unit that is shown.
 function quantity(source, isAxis) {
   const [unit, factor] = UNITS[source.unit] ?? [source.unit, 1];
@@ -41,6 +49,7 @@ function quantity(source, isAxis) {
   made.label = isAxis ? source.label : inWords(source.label);
   if (source.levels) {
     made.codes = codesOf(source.levels.codes);
+    if (made.text) made.told = toldApart(source.levels.values);
     made.levels = made.text ? source.levels.values : source.levels.values.map(v => v * factor);
     made.values = made.text ? Float32Array.from(made.codes) : Float64Array.from(made.codes, code => made.levels[code]);
   } else {
@@ -81,7 +90,7 @@ const metricNamed = name => metrics.find(metric => metric.name === name);
 function scaleOf(column, log = column.log) {
   if (column.text) {
     const count = column.levels.length;
-    return {at: v => (v + 0.5) / count, marks: () => column.levels.map((text, i) => [(i + 0.5) / count, text])};
+    return {at: v => (v + 0.5) / count, marks: () => (column.told ?? column.levels).map((text, i) => [(i + 0.5) / count, text])};
   }
   let {min, max} = column;
   const useLog = log && max > 0;

@@ -103,20 +103,43 @@ function fitting(marks, long, room) {
   return marks.slice(0, 1);
 }
 
+// Texts are cut off where they would lie on their neighbours; the whole is their title.
+function textLabel(axis, index, text, place) {
+  const label = element('span', {class: 'label', title: axis.levels[index]}, text);
+  for (const [name, size] of Object.entries(place)) label.style[name] = size + 'px';
+  return label;
+}
+
+function labelsAcross(context, marks, inner, height) {
+  const longest = Math.max(...marks.map(([at, text]) => context.measureText(text).width)) + 8;
+  const skip = Math.ceil((longest <= 64 ? longest : 44) * marks.length / inner.width);
+  const width = skip * inner.width / marks.length - 4, last = MARGIN.left + inner.width + MARGIN.right - width;
+  return marks.flatMap(([at, text], i) => i % skip ? [] : [textLabel(maps.x, i, text,
+    {left: Math.min(last, MARGIN.left + at * inner.width - width / 2), top: height - MARGIN.bottom + 3, width})]);
+}
+
+function labelsUpwards(marks, inner) {
+  const skip = Math.ceil(14 * marks.length / inner.height);
+  return marks.flatMap(([at, text], i) => i % skip ? [] : [textLabel(maps.y, i, text,
+    {left: 16, top: MARGIN.top + (1 - at) * inner.height - 8, width: MARGIN.left - 20})]);
+}
+
 // Labels along an axis of cells or of points.
-function drawAxes(context, width, height, xMarks, yMarks) {
+function drawAxes(panel, context, width, height, xMarks, yMarks) {
   const inner = {width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom};
+  panel.labels.replaceChildren(...(maps.x.text ? labelsAcross(context, xMarks, inner, height) : []),
+    ...(maps.y && maps.y.text ? labelsUpwards(yMarks, inner) : []));
   context.fillStyle = INK;
   context.textAlign = 'center';
   context.textBaseline = 'top';
-  for (const [at, text] of fitting(xMarks, inner.width, text => context.measureText(text).width + 7)) {
+  for (const [at, text] of fitting(maps.x.text ? [] : xMarks, inner.width, text => context.measureText(text).width + 7)) {
     const half = context.measureText(text).width / 2;
     context.fillText(text, Math.min(MARGIN.left + at * inner.width, width - half), height - MARGIN.bottom + 5);
   }
   context.fillText(axisTitle(maps.x), MARGIN.left + inner.width / 2, height - 17, inner.width);
   context.textAlign = 'right';
   context.textBaseline = 'middle';
-  for (const [at, text] of fitting(yMarks, inner.height, () => 14))
+  for (const [at, text] of fitting(maps.y && maps.y.text ? [] : yMarks, inner.height, () => 14))
     context.fillText(text, MARGIN.left - 5, MARGIN.top + (1 - at) * inner.height, MARGIN.left - 20);
   context.save();
   context.translate(8, MARGIN.top + inner.height / 2);
@@ -151,8 +174,8 @@ function drawCells(panel, context, width, height, colour) {
     width: cell.width + 0.5, height: cell.height + 0.5});
   for (const one of panel.cells.values()) if (!one.pinned) drawCell(context, one, panel.boxOf(one), colour);
   for (const one of panel.cells.values()) if (one.pinned) drawCell(context, one, panel.boxOf(one), colour);
-  const marks = axis => axis.levels.map((v, i) => [(i + 0.5) / axis.levels.length, axis.text ? v : short(v)]);
-  drawAxes(context, width, height, marks(maps.x), marks(maps.y));
+  const marks = axis => axis.levels.map((v, i) => [(i + 0.5) / axis.levels.length, axis.text ? axis.told[i] : short(v)]);
+  drawAxes(panel, context, width, height, marks(maps.x), marks(maps.y));
 }
 
 function drawPoints(panel, context, width, height, colour) {
@@ -169,7 +192,7 @@ function drawPoints(panel, context, width, height, colour) {
   const order = dot => (dot.run === chosen.pinned ? 2 : chosen.inside[dot.run]);
   for (const dot of [...panel.dots].sort((a, b) => order(a) - order(b))) drawDot(context, dot, colour);
   const shift = (marks, span) => marks.map(([at, text]) => [(6 + at * span) / (span + 12), text]);
-  drawAxes(context, width, height, shift(xScale.marks(width < 340 ? 4 : 7), inner.width),
+  drawAxes(panel, context, width, height, shift(xScale.marks(width < 340 ? 4 : 7), inner.width),
     shift(yScale.marks(7), inner.height));
 }
 
@@ -290,8 +313,8 @@ function stepOnMap(panel, key) {
 
 function mapPanel(pipeline) {
   const canvas = element('canvas', {tabindex: '0', role: 'img', 'data-pipeline': pipelines[pipeline]});
-  const holder = element('div', {}, canvas);
-  const panel = {pipeline, canvas, holder, cells: null, dots: null};
+  const labels = element('div', {}), holder = element('div', {class: 'labelled'}, canvas, labels);
+  const panel = {pipeline, canvas, holder, labels, cells: null, dots: null};
   const spot = event => {
     const box = canvas.getBoundingClientRect();
     return found(panel, event.clientX - box.left, event.clientY - box.top);
@@ -360,7 +383,11 @@ function mapLegend() {
 }
 
 function mapSection() {
-  if (varying.length === 0 || metrics.length === 0) return;
+  if (varying.length === 0) return;
+  if (metrics.length === 0) {
+    section('Maps over the axes', element('p', {}, (noneGood() ?? 'No run has a number in its summary') + ', so there is nothing to draw.'));
+    return;
+  }
   [maps.x, maps.y] = [varying[0], varying[1] ?? null];
   const differing = metrics.filter(metric => metric.min < metric.max);  // one colour throughout says nothing
   maps.metric = ['misfit_N', 'max_penetration_depth_m', 'max_force_N'].map(metricNamed)

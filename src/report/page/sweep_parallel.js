@@ -101,7 +101,8 @@ function drawLineAxes(context) {
     drawTitle(context, dim.title, titleX, Math.max(70, room));
     context.textAlign = 'left';
     context.textBaseline = 'middle';
-    for (const [at, text] of dim.scale.marks(6)) writeMark(context, text, x + 4, yOf(at));
+    const marks = dim.scale.marks(6), skip = Math.ceil(marks.length / 16);
+    for (const [at, text] of marks.filter((mark, i) => i % skip === 0)) writeMark(context, text, x + 4, yOf(at));
     if (!dim.column.isAxis && dim.at.includes(Math.fround(NONE))) writeMark(context, 'none', x + 4, yOf(NONE));
   });
 }
@@ -225,7 +226,7 @@ function parallelSection() {
     'A line is a run; dashed red ones failed. Drag along an axis to choose runs, everywhere on this page; click the axis to ' +
     'let go. With keys: up and down move what is chosen on an axis, with Shift they widen it, Escape lets go.'),
   element('div', {class: 'scroll', tabindex: '0', role: 'region', 'aria-label': 'runs over all axes'}, lines.box),
-    metricBoxes());
+    metrics.length ? metricBoxes() : null);
   layParallel();
   chosen.views.push(drawFront);
 }

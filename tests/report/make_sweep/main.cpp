@@ -1,5 +1,5 @@
-// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol|line RUNS; a line has
-// one axis, one pipeline and no curves
+// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol|line|failed RUNS; a line
+// has one axis, one pipeline and no curves; of failed ones all runs have failed
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -50,7 +50,8 @@ SweepTableLayout layoutOf(bool grid, std::size_t runs) {
                  {"n", "force.hc.n"},
                  {"speed_m_s", "tools.spatula.motion.speed_m_s"},
                  {"thickness_m", "tools.spatula.shape.thickness_m"},
-                 {"rate", "force.hc.rate", false}};
+                 {"rate", "force.hc.rate", false},
+                 {"segments_0", "tools.spatula.motion.segments.0", false}};
   layout.laws = {"hc", "linear"};
   layout.metrics = {
       {"max_penetration_depth_m"}, {"max_force_N"},          {"max_force_hc_N"}, {"force_roughness"},
@@ -76,8 +77,12 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
   run.point = static_cast<long long>(number / 3);
   const Point at = pointOf(number / 3, grid);
   run.pipeline = pipelines[pipeline];
-  run.values = {formatReal(at.k), formatReal(at.n), formatReal(at.speed_m_s), formatReal(at.thickness_m),
-                number / 3 % 2 == 0 ? "differences" : "velocities"};
+  run.values = {formatReal(at.k),
+                formatReal(at.n),
+                formatReal(at.speed_m_s),
+                formatReal(at.thickness_m),
+                number / 3 % 2 == 0 ? "differences" : "velocities",
+                "{move_to_m: [0, 0.052, 0], hold_s: " + std::to_string(number / 3 % 4) + ", at the end}"};
   const double depth_m = (pipeline == 0   ? 0.02
                           : pipeline == 1 ? 0.002
                                           : 0.0004) *
@@ -124,10 +129,11 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
 
 int main(int count, char** words) {
   if (count != 4) {
-    std::cerr << "usage: make_sweep FILE grid|sobol|line RUNS\n";
+    std::cerr << "usage: make_sweep FILE grid|sobol|line|failed RUNS\n";
     return 2;
   }
-  const bool grid = std::string(words[2]) == "grid";
+  const bool failed = std::string(words[2]) == "failed";
+  const bool grid = failed || std::string(words[2]) == "grid";
   const SweepTableLayout layout = layoutOf(grid, static_cast<std::size_t>(std::atoi(words[3])));
   SweepTableLayout written = layout;
   const bool line = std::string(words[2]) == "line";
@@ -139,6 +145,12 @@ int main(int count, char** words) {
   SweepTableWriter writer(words[1], written);
   for (std::size_t run = 0; run < layout.runs; ++run) {
     SweepRun row = runOf(layout, line ? 3 * run : run, grid);
+    if (failed) {
+      row.status = "failed";
+      row.detail = "before its first step";
+      std::fill(row.metrics.begin(), row.metrics.end(), missing);
+      std::fill(row.curves.begin(), row.curves.end(), missing);
+    }
     if (line) {
       row.values.resize(1);
       row.metrics.resize(1);
