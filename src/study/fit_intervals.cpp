@@ -46,7 +46,8 @@ FitIntervals::FitIntervals(const FitProblem& problem, const LeastSquares& best)
   if (!(singular_value_ratio_ > least_ratio)) return;
   const Eigen::MatrixXd root =
       lengths.cwiseInverse().asDiagonal() * svd.matrixV() * singular.cwiseInverse().asDiagonal();
-  covariance_ = variance_N2_ * root * root.transpose();
+  inverse_ = root * root.transpose();
+  covariance_ = variance_N2_ * inverse_;
 }
 
 Eigen::VectorXd FitIntervals::gradientOf(const Quantity& quantity) const {
@@ -66,6 +67,13 @@ double FitIntervals::halfWidthOfViscousShare_s_m() const {
   const Eigen::VectorXd gradient =
       gradientOf([this](const LawValues& values) { return problem_.viscousShare_s_m(values); });
   return t_ * std::sqrt(gradient.dot(covariance_ * gradient));
+}
+
+double FitIntervals::rateReliability() const {
+  const Eigen::VectorXd gradient =
+      gradientOf([this](const LawValues& values) { return problem_.viscousShare_s_m(values); });
+  const double all = 1 / gradient.dot(inverse_ * gradient);
+  return std::clamp(1 - problem_.noiseOfViscousShare_N2(problem_.valuesAt(best_.place)) / all, 0.0, 1.0);
 }
 
 double FitIntervals::correlation(FitParameter a, FitParameter b) const {

@@ -22,6 +22,11 @@ class FitIntervals {
   FittedValue of(FitParameter parameter) const;
   /// Of lambda/k: half the interval's width, s/m, by the standard error.
   double halfWidthOfViscousShare_s_m() const;
+  /// How much of what a free lambda is told by is no noise of the rates: 0 to 1. The square of how it changes
+  /// the residuals beyond what the other free ones may, without the noise's share in that, over the same with
+  /// it. The noise draws lambda towards 0 by that factor (Fuller 1987, Measurement error models,
+  /// section 1.1).
+  double rateReliability() const;
   double correlation(FitParameter a, FitParameter b) const;
 
  private:
@@ -36,6 +41,7 @@ class FitIntervals {
   double variance_N2_ = 0;  ///< of a residual of weight 1
   double t_ = 0;            ///< Student's, of 97.5 %
   double singular_value_ratio_ = 1;
+  Eigen::MatrixXd inverse_;     ///< of J'J
   Eigen::MatrixXd covariance_;  ///< of the coordinates
 };
 

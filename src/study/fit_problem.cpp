@@ -61,6 +61,15 @@ double FitProblem::viscousShare_s_m(const LawValues& values) const {
   return data_.model.law() == FitLaw::kelvin_voigt ? share / data_.model.deformationScale_m() : share;
 }
 
+double FitProblem::noiseOfViscousShare_N2(const LawValues& values) const {
+  LawValues one = values;
+  one.lambda = values.k;
+  if (data_.model.law() == FitLaw::kelvin_voigt) one.lambda *= data_.model.deformationScale_m();
+  Eigen::VectorXd noise_N(points());
+  data_.model.evaluateNoise(one, {noise_N.data(), static_cast<std::size_t>(noise_N.size())});
+  return (data_.root_weights.array() * noise_N.array()).matrix().squaredNorm();
+}
+
 double FitProblem::lambdaScale() const {
   const double per_share = data_.model.law() == FitLaw::kelvin_voigt ? data_.model.deformationScale_m() : 1.0;
   return per_share / data_.model.rateScale_m_s();

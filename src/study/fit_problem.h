@@ -47,6 +47,9 @@ class FitProblem {
   /// lambda/k in s/m; for kelvin_voigt over the deformation scale.
   double viscousShare_s_m(const LawValues& values) const;
 
+  /// Sum of squares that noise of the rates makes of (weighted) residuals where that share is 1 s/m.
+  double noiseOfViscousShare_N2(const LawValues& values) const;
+
   /// k d^n over the force scale.
   double elasticShare(const LawValues& values) const {
     return values.k * forceOfUnitK(values.n) / data_.force_scale_N;

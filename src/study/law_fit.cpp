@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNegligibleShare_s_m = 0.1;
+constexpr double kLeastReliability = 0.9;
 
 std::size_t index(FitParameter parameter) {
   return static_cast<std::size_t>(parameter);
@@ -78,7 +79,7 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
 /// Whether the data says what lambda is.
 struct LambdaVerdict {
   std::string problem;  ///< why it does not; empty: it does
-  std::string note;     ///< why it says so only roughly
+  std::string note;     ///< what is wrong with it, or why it is known only roughly
 };
 
 LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
@@ -87,11 +88,18 @@ LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
     return {"k and lambda do the same (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
                 "), as where all rates are the same",
             ""};
+  const double reliability = intervals.rateReliability();
+  if (!(reliability >= kLeastReliability))
+    return {"noise of the depths makes too much of the rates (reliability " + fourDigits(reliability) +
+                ", expected " + fourDigits(kLeastReliability) + "), expected smoother or fewer points",
+            ""};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
-  if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
   const std::string interval = "the 95 % interval of lambda/k, " + fourDigits(share - half_width) + " to " +
                                fourDigits(share + half_width) + " s/m, ";
+  if (share + half_width < 0)
+    return {"", "lambda is negative, which is unphysical: are force and depth recorded at one time?"};
+  if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
   if (half_width >= std::abs(share))
     return {interval + "holds 0 and is wider than +-" + fourDigits(kNegligibleShare_s_m) + " s/m", ""};
   return {"", "lambda is known only roughly: " + interval + "is wider than half its value to either side"};

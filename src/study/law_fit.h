@@ -54,10 +54,11 @@ struct LawFit {
 /// rest fitted anew the sum of squares has grown by t^2 s^2 there (Bates and Watts 1988, section 6.1).
 ///
 /// lambda cannot be identified without rates; where k and lambda do the same, as at one rate throughout (a
-/// singular value ratio below 1e-7); and where the 95 % interval of lambda/k holds 0 and is wider than +-0.1
+/// singular value ratio below 1e-7); where noise of the depths makes more than a tenth of what tells it
+/// (FitIntervals::rateReliability); and where the 95 % interval of lambda/k holds 0 and is wider than +-0.1
 /// s/m, a tenth of the elastic force at 1 m/s (kelvin_voigt: lambda/k over the typical depth). It is then
-/// fixed at 0 and the rest fitted again. A note says where the interval leaves out 0, but is wider than half
-/// the value to either side.
+/// fixed at 0 and the rest fitted again. A note says where that interval leaves out 0, but is wider than half
+/// the value to either side, and where it lies below 0.
 ///
 /// Throws InputError, one line without a file, where nothing can be fitted: too few points, one force, one
 /// depth, no free coefficient.

@@ -16,9 +16,10 @@ namespace {
 class ProbeModel : public LawModel {
  public:
   ProbeModel(FitLaw law, const MeasuredCurve& curve)
-      : law_(law), depth_m_(curve.depth_m), rate_m_s_(curve.rate_m_s) {
+      : law_(law), depth_m_(curve.depth_m), rate_m_s_(curve.rate_m_s), rate_noise_m_s_(curve.rate_noise_m_s) {
     if (depth_m_.empty()) throw InputError("the curve has no depths, expected a column of them");
     rate_m_s_.resize(depth_m_.size(), 0);
+    rate_noise_m_s_.resize(depth_m_.size(), 0);
     double squares_m2 = 0;
     for (std::size_t i = 0; i < depth_m_.size(); ++i) {
       squares_m2 += depth_m_[i] * depth_m_[i] / static_cast<double>(depth_m_.size());
@@ -30,23 +31,36 @@ class ProbeModel : public LawModel {
   FitLaw law() const override { return law_; }
   std::size_t size() const override { return depth_m_.size(); }
   void evaluate(const LawValues& values, std::span<double> force_N) const override {
-    const std::unique_ptr<ForceLaw> law = makeForceLaw(
-        nameOf(law_), {.k = values.k, .lambda = values.lambda, .n = values.n, .c = values.lambda});
+    const std::unique_ptr<ForceLaw> law = forceLaw(values);
     for (std::size_t i = 0; i < depth_m_.size(); ++i) {
       const LawForce force = law->at(depth_m_[i], rate_m_s_[i]);
       force_N[i] = force.elastic_N + force.viscous_N;
     }
   }
+  void evaluateNoise(const LawValues& values, std::span<double> noise_N) const override {
+    const std::unique_ptr<ForceLaw> law = forceLaw(values);
+    for (std::size_t i = 0; i < depth_m_.size(); ++i)
+      noise_N[i] = std::abs(law->at(depth_m_[i], rate_noise_m_s_[i]).viscous_N);
+  }
   double deformationScale_m() const override { return depth_scale_m_; }
   double rateScale_m_s() const override { return rate_scale_m_s_; }
 
  private:
+  std::unique_ptr<ForceLaw> forceLaw(const LawValues& values) const {
+    return makeForceLaw(nameOf(law_),
+                        {.k = values.k, .lambda = values.lambda, .n = values.n, .c = values.lambda});
+  }
+
   FitLaw law_;
-  std::vector<double> depth_m_, rate_m_s_;
+  std::vector<double> depth_m_, rate_m_s_, rate_noise_m_s_;
   double depth_scale_m_ = 0, rate_scale_m_s_ = 0;
 };
 
 }  // namespace
+
+void LawModel::evaluateNoise(const LawValues& /*values*/, std::span<double> noise_N) const {
+  std::fill(noise_N.begin(), noise_N.end(), 0.0);
+}
 
 std::string nameOf(FitLaw law) {
   constexpr std::array names = {"hunt_crossley", "kelvin_voigt", "linear_elastic"};

@@ -46,6 +46,8 @@ class LawModel {
   virtual std::size_t size() const = 0;
   /// The law's forces without F0, newtons: size() of them.
   virtual void evaluate(const LawValues& values, std::span<double> force_N) const = 0;
+  /// What noise of the rates makes of these forces: standard deviations, newtons. 0 where rates have none.
+  virtual void evaluateNoise(const LawValues& values, std::span<double> noise_N) const;
   /// How large deformations and their rates are, roughly: > 0; rates may be 0 throughout.
   virtual double deformationScale_m() const = 0;
   virtual double rateScale_m_s() const = 0;

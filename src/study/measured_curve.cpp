@@ -11,6 +11,7 @@
 #include "scenario/delimited_text.h"
 #include "scenario/log_text.h"
 #include "scenario/scalars.h"
+#include "study/depth_rates.h"
 
 namespace fissure {
 
@@ -124,8 +125,10 @@ class CurveReader {
     if (!rows) throw fileError("only a header line", "rows below it");
     std::vector<MeasuredCurve> measured;
     for (MeasuredCurve& curve : curves_) {
-      if (places_.contains(CurveRole::time) && !curve.depth_m.empty())
+      if (places_.contains(CurveRole::time) && !curve.depth_m.empty()) {
         curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
+        curve.rate_noise_m_s = rateNoiseOf(curve.time_s, curve.depth_m);
+      }
       if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
       if (curve.force_N.empty())
         throw InputError(table_.fileName() + ": no row of curve " + curve.name +
@@ -287,39 +290,10 @@ std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
   return CurveReader(file, columns).read();
 }
 
-std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m) {
-  std::vector<double> times, depths;
-  std::vector<std::size_t> counts, at;  // points of a time; index of each point's time
-  for (std::size_t i = 0; i < time_s.size(); ++i) {
-    if (times.empty() || time_s[i] > times.back()) {
-      times.push_back(time_s[i]);
-      depths.push_back(0);
-      counts.push_back(0);
-    }
-    depths.back() += depth_m[i];
-    ++counts.back();
-    at.push_back(times.size() - 1);
-  }
-  for (std::size_t i = 0; i < times.size(); ++i) depths[i] /= static_cast<double>(counts[i]);
-  std::vector<double> rates(times.size(), 0), all;
-  for (std::size_t i = 0; i < times.size() && times.size() > 1; ++i) {
-    const std::size_t before = i == 0 ? 0 : i - 1, after = std::min(i + 1, times.size() - 1);
-    const double left_s = times[i] - times[before], right_s = times[after] - times[i];
-    const double left = left_s > 0 ? (depths[i] - depths[before]) / left_s : 0;
-    const double right = right_s > 0 ? (depths[after] - depths[i]) / right_s : 0;
-    rates[i] = (left * right_s + right * left_s) / (left_s + right_s);
-    if (i == before) rates[i] = right;
-    if (i == after) rates[i] = left;
-  }
-  all.reserve(at.size());
-  for (const std::size_t i : at) all.push_back(rates[i]);
-  return all;
-}
-
 MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points) {
   MeasuredCurve kept = curve;
   for (std::vector<double>* values :
-       {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.weights}) {
+       {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.rate_noise_m_s, &kept.weights}) {
     if (values->empty()) continue;
     for (std::size_t i = 0; i < points.size(); ++i) (*values)[i] = (*values)[points[i]];
     values->resize(points.size());
@@ -337,6 +311,7 @@ MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
     append(curve.depth_m, all.depth_m);
     append(curve.force_N, all.force_N);
     append(curve.rate_m_s, all.rate_m_s);
+    append(curve.rate_noise_m_s, all.rate_noise_m_s);
     append(curve.weights, all.weights);
     all.rows_without_numbers += curve.rows_without_numbers;
     all.rows_before_contact += curve.rows_before_contact;
@@ -344,7 +319,10 @@ MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
   }
   if (all.depth_m.size() != all.force_N.size())
     throw InputError("some curves have no depths, expected depths in all");
-  if (all.rate_m_s.size() != all.force_N.size()) all.rate_m_s.clear();
+  if (all.rate_m_s.size() != all.force_N.size()) {
+    all.rate_m_s.clear();
+    all.rate_noise_m_s.clear();
+  }
   return all;
 }
 

@@ -28,9 +28,10 @@ struct MeasuredCurve {
   std::string name;             ///< of the file, and of the curve where a column names it
   std::vector<double> depth_m;  ///< into the tissue, >= 0
   std::vector<double> force_N;
-  std::vector<double> time_s;    ///< never goes back
-  std::vector<double> rate_m_s;  ///< of the depth, by ratesOf() over all rows with numbers
-  std::vector<double> weights;   ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
+  std::vector<double> time_s;          ///< never goes back
+  std::vector<double> rate_m_s;        ///< of the depth, by ratesOf() over all rows with numbers
+  std::vector<double> rate_noise_m_s;  ///< what noise of the depths makes of it, by rateNoiseOf()
+  std::vector<double> weights;         ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
 
   std::size_t rows_without_numbers = 0;  ///< left out: an empty cell, NaN, weight 0
   std::size_t rows_before_contact = 0;   ///< left out: a negative depth
@@ -43,11 +44,6 @@ struct MeasuredCurve {
 /// time are needed. Throws InputError with file and line.
 std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
                                       const std::vector<CurveColumn>& columns);
-
-/// Rate of the depth, m/s: the slope of the parabola through a point and its neighbours in time, a mean of
-/// the slopes to both, so that it never lies outside them: depths that only grow have no negative rate. At
-/// both ends the slope to the neighbour. Points of equal time count as one, with their mean depth.
-std::vector<double> ratesOf(const std::vector<double>& time_s, const std::vector<double>& depth_m);
 
 /// The curve with these of its points alone, in ascending order.
 MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points);

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "study/depth_rates.h"
 
 namespace fissure {
 namespace {
@@ -28,6 +29,7 @@ MeasuredCurve presses(std::size_t points, const std::vector<double>& depths_m, d
     curve.weights.push_back(1);
   }
   curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
+  curve.rate_noise_m_s = rateNoiseOf(curve.time_s, curve.depth_m);
   curve.force_N.resize(points);
   return curve;
 }
@@ -252,6 +254,66 @@ TEST(LawFit, SaysWhyLambdaCannotBeIdentified) {
       << fit.notes[0];
   EXPECT_NEAR(fit.law().n, 2.4, 0.05);
   EXPECT_NEAR(fit.law().k, kLiver.k + kLiver.lambda * 0.015, 0.2 * kLiver.k);
+}
+
+/// The curve as a sensor with noise sees it: its depths, and the rates that come of them.
+MeasuredCurve withNoise(MeasuredCurve curve, double depth_noise_m, double force_noise_N, int seed) {
+  boost::random::mt19937_64 random(static_cast<unsigned>(seed));
+  boost::random::normal_distribution<double> normal(0, 1);
+  for (double& depth_m : curve.depth_m) depth_m = std::max(0.0, depth_m + depth_noise_m * normal(random));
+  for (double& force_N : curve.force_N) force_N += force_noise_N * normal(random);
+  curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
+  curve.rate_noise_m_s = rateNoiseOf(curve.time_s, curve.depth_m);
+  return curve;
+}
+
+TEST(LawFit, NoiseOfTheDepthsIsNotTakenForRates) {
+  // 1.5 mm/s throughout, at 1 kHz with 10 um of noise: the rates scatter by 7 mm/s.
+  MeasuredCurve ramp = curveOf({}, {});
+  for (int i = 0; i < 1000; ++i) {
+    ramp.time_s.push_back(0.001 * i);
+    ramp.depth_m.push_back(0.0015 + 0.0000015 * i);
+  }
+  ramp.weights.assign(1000, 1);
+  ramp.rate_m_s.assign(1000, 0.0015);
+  ramp.force_N.resize(1000);
+  setForces(kLiver, ramp);
+  const LawFit fit = fitted(withNoise(ramp, 1e-5, 0.002, 1), kAllFree);
+  EXPECT_FALSE(fit.of(FitParameter::lambda).free);
+  EXPECT_EQ(fit.law().lambda, 0);
+  EXPECT_TRUE(fit.of(FitParameter::lambda)
+                  .problem.starts_with("noise of the depths makes too much of the rates (reliability 0"))
+      << fit.of(FitParameter::lambda).problem;
+  EXPECT_NEAR(fit.law().n, 2.4, 0.1);
+  const LawFit voigt =
+      fitted(withNoise(ramp, 1e-5, 0.002, 1), {{}, {true, true, false, true}}, FitLaw::kelvin_voigt);
+  EXPECT_FALSE(voigt.of(FitParameter::lambda).free);
+}
+
+TEST(LawFit, SmallNoiseOfTheDepthsLeavesTheTruthInTheIntervals) {
+  MeasuredCurve curve = presses(240, {0.001, 0.002, 0.003}, 0.24);
+  setForces(kLiver, curve);
+  for (const int seed : {1, 2, 3}) {
+    const LawFit fit = fitted(withNoise(curve, 1e-6, 0.005, seed), kAllFree);
+    for (std::size_t p = 0; p < kFitParameters; ++p) {
+      const double truth = valueOf(kLiver, static_cast<FitParameter>(p));
+      EXPECT_TRUE(fit.values[p].free && fit.values[p].low <= truth && truth <= fit.values[p].high)
+          << nameOf(static_cast<FitParameter>(p)) << " " << seed << fit.values[p].problem;
+    }
+  }
+}
+
+TEST(LawFit, SaysWhenLambdaIsNegative) {
+  // The force is written 2 ms late: it seems to grow against the rate.
+  MeasuredCurve curve = presses(90, {0.001, 0.002, 0.003}, 0.178);
+  setForces(kLiver, curve);
+  MeasuredCurve late = curve;
+  for (std::size_t i = 0; i < 90; ++i) late.force_N[i] = curve.force_N[i < 2 ? 0 : i - 2];
+  const LawFit fit = fitted(late, kAllFree);
+  EXPECT_LT(fit.law().lambda, 0);
+  ASSERT_FALSE(fit.notes.empty());
+  EXPECT_EQ(fit.notes[0],
+            "lambda is negative, which is unphysical: are force and depth recorded at one time?");
 }
 
 TEST(LawFit, SaysWhenTheForceHardlyChangesWithTheDepth) {

@@ -55,26 +55,14 @@ TEST(MeasuredCurve, WeightsAreGivenOrOneOverSigmaSquared) {
   EXPECT_NEAR(curves[0].weights[0], 4, 1e-12);
 }
 
-TEST(MeasuredCurve, RatesLieBetweenTheSlopesToBothNeighbours) {
-  // d = t^2 at uneven times: exact inside, by the parabola; at the ends the slope to the neighbour.
-  const Numbers rates = ratesOf({0, 1, 3, 4}, {0, 1, 9, 16});
-  EXPECT_NEAR(rates[0], 1, 1e-14);
-  EXPECT_NEAR(rates[1], 2, 1e-14);
-  EXPECT_NEAR(rates[2], 6, 1e-14);
-  EXPECT_NEAR(rates[3], 7, 1e-14);
-  // A step that only grows has no negative rate anywhere.
-  for (const double rate : ratesOf({0, 1, 1.01, 2, 3}, {0, 0, 1, 1, 1})) EXPECT_GE(rate, 0);
-  // Points of one time count as their mean; one time has no rate.
-  EXPECT_EQ(ratesOf({0, 1, 1, 2}, {0, 0.5, 1.5, 2}), (Numbers{1, 1, 1, 1}));
-  EXPECT_EQ(ratesOf({5, 5}, {0, 1}), (Numbers{0, 0}));
-}
-
 TEST(MeasuredCurve, RatesAreTakenOverTheRowsBeforeContactToo) {
   const auto curves =
       curvesOf("time_ms,depth_mm,force_N\n0,-1,0\n10,1,1\n20,-1,0\n30,-1,0\n40,1,1\n50,3,2\n");
   ASSERT_EQ(curves[0].rate_m_s.size(), 3u);
   EXPECT_NEAR(curves[0].rate_m_s[0], 0, 1e-12);
   EXPECT_NEAR(curves[0].rate_m_s[1], 0.2, 1e-12);
+  ASSERT_EQ(curves[0].rate_noise_m_s.size(), 3u);
+  EXPECT_GT(curves[0].rate_noise_m_s[1], 0.01);
 }
 
 TEST(MeasuredCurve, CurvesAreJoinedWithTheirRatesButNotTheirTimes) {
@@ -84,8 +72,10 @@ TEST(MeasuredCurve, CurvesAreJoinedWithTheirRatesButNotTheirTimes) {
   EXPECT_TRUE(all.time_s.empty());
   ASSERT_EQ(all.rate_m_s.size(), 4u);
   EXPECT_NEAR(all.rate_m_s[3], 0.0005, 1e-15);
+  EXPECT_EQ(all.rate_noise_m_s.size(), 4u);
   const auto slow = curvesOf("depth_mm,force_N\n1,1\n");
   EXPECT_TRUE(joined({curves[0], slow[0]}).rate_m_s.empty());
+  EXPECT_TRUE(joined({curves[0], slow[0]}).rate_noise_m_s.empty());
   const auto deepless = curvesOf("time_s,force_N\n1,1\n");
   EXPECT_THROW(joined({curves[0], deepless[0]}), InputError);
 }
