@@ -15,6 +15,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNegligibleShare_s_m = 0.1;
 constexpr double kLeastReliability = 0.9;
+constexpr double kLargestNextCorrelation = 0.2;  // beyond it intervals are a fifth too narrow, and more
 
 std::size_t index(FitParameter parameter) {
   return static_cast<std::size_t>(parameter);
@@ -26,9 +27,13 @@ std::string namesOf(const std::vector<FitParameter>& parameters) {
   return text;
 }
 
-void refuseTooFew(const FitData& data, const FitSettings& settings) {
+/// `of_lambda`: why that is not free any more, if so.
+void refuseTooFew(const FitData& data, const FitSettings& settings, const std::string& of_lambda) {
   const auto free = static_cast<std::size_t>(std::count(settings.free.begin(), settings.free.end(), true));
   const auto points = static_cast<std::size_t>(data.force_N.size());
+  if (free == 0 && !of_lambda.empty())
+    throw InputError("lambda cannot be identified from this data: " + of_lambda +
+                     ", and nothing else is free, expected another coefficient to fit");
   if (free == 0) throw InputError("nothing is free, expected a coefficient to fit");
   if (points <= free)
     throw InputError(std::to_string(points) + (points == 1 ? " point" : " points") + " for " +
@@ -110,9 +115,9 @@ void judgeOthers(const FitData& data, LawFit& fit) {
     if (value.free && value.problem.empty()) value.problem = why;
   };
   const auto free = static_cast<double>(fit.free_count), points = static_cast<double>(fit.points);
-  const double numerator = std::max(1.0, free - (fit.of(FitParameter::F0).free ? 1 : 0));
+  const double numerator = std::max(1.0, free - 1);
   const double residual_N2 = (1 - fit.r_squared) * data.squares_around_mean_N2;
-  if (residual_N2 > 0) {
+  if (residual_N2 > 0 && fit.of(FitParameter::F0).free) {  // else no constant force is among the fits
     const double explained_N2 = std::max(0.0, data.squares_around_mean_N2 - residual_N2);
     const double f = explained_N2 / numerator / (residual_N2 / (points - free));
     const double chance = fisherTail(f, numerator, points - free);
@@ -140,7 +145,8 @@ void addNotes(LawFit& fit) {
     if (!fit.values[i].problem.empty())
       fit.notes.push_back(nameOf(static_cast<FitParameter>(i)) +
                           " cannot be identified from this data: " + fit.values[i].problem);
-  if (fit.points >= 20 && fit.next_correlation > 0.5)
+  const double most = std::max(kLargestNextCorrelation, 2.33 / std::sqrt(static_cast<double>(fit.points)));
+  if (fit.points >= 20 && fit.next_correlation > most)
     fit.notes.push_back("residuals of neighbouring points are alike (correlation " +
                         fourDigits(fit.next_correlation) +
                         "): the law or the data is off by more than noise, the intervals are too narrow");
@@ -180,7 +186,7 @@ LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<
     lambda_free = false;
   }
   for (;;) {
-    refuseTooFew(data, used);
+    refuseTooFew(data, used, of_lambda);
     const FitProblem problem(data, used);
     const LeastSquares best = problem.solve();
     const LawValues values = problem.valuesAt(best.place);

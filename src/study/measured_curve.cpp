@@ -5,7 +5,9 @@
 #include <charconv>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <string_view>
+#include <tuple>
 
 #include "base/error.h"
 #include "scenario/delimited_text.h"
@@ -99,6 +101,18 @@ void leaveOutBeforeContact(MeasuredCurve& curve) {
   curve.rows_before_contact = before;
 }
 
+/// Where no times order the points: neighbours are those of like depth, in whatever order rows stand.
+void sortByDepth(MeasuredCurve& curve) {
+  if (curve.depth_m.empty()) return;
+  std::vector<std::size_t> order(curve.depth_m.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  const auto key = [&](std::size_t i) {
+    return std::make_tuple(curve.depth_m[i], curve.force_N[i], curve.weights[i]);
+  };
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return key(a) < key(b); });
+  curve = pointsOf(curve, order);
+}
+
 /// Takes a file row by row.
 class CurveReader {
  public:
@@ -129,6 +143,7 @@ class CurveReader {
         curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
         curve.rate_noise_m_s = rateNoiseOf(curve.time_s, curve.depth_m);
       }
+      if (!places_.contains(CurveRole::time)) sortByDepth(curve);
       if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
       if (curve.force_N.empty())
         throw InputError(table_.fileName() + ": no row of curve " + curve.name +
@@ -295,8 +310,10 @@ MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t
   for (std::vector<double>* values :
        {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.rate_noise_m_s, &kept.weights}) {
     if (values->empty()) continue;
-    for (std::size_t i = 0; i < points.size(); ++i) (*values)[i] = (*values)[points[i]];
-    values->resize(points.size());
+    std::vector<double> chosen;
+    chosen.reserve(points.size());
+    for (const std::size_t point : points) chosen.push_back((*values)[point]);
+    *values = std::move(chosen);
   }
   return kept;
 }
@@ -322,6 +339,7 @@ MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
   if (all.rate_m_s.size() != all.force_N.size()) {
     all.rate_m_s.clear();
     all.rate_noise_m_s.clear();
+    sortByDepth(all);
   }
   return all;
 }

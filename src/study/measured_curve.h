@@ -23,7 +23,8 @@ struct CurveColumn {
 /// InputError.
 std::vector<CurveColumn> parseCurveColumns(const std::string& text);
 
-/// One measured curve, in SI units: one value a point, or none where there is no such column.
+/// One measured curve, in SI units: one value a point, or none where there is no such column. Points are in
+/// the order of their times or, where there are none, of their depths.
 struct MeasuredCurve {
   std::string name;             ///< of the file, and of the curve where a column names it
   std::vector<double> depth_m;  ///< into the tissue, >= 0
@@ -45,7 +46,7 @@ struct MeasuredCurve {
 std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
                                       const std::vector<CurveColumn>& columns);
 
-/// The curve with these of its points alone, in ascending order.
+/// The curve with these of its points alone, in this order.
 MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points);
 
 /// The points of all curves as one, without times; rates only where all have them. Throws InputError where

@@ -200,6 +200,10 @@ TEST(LawFit, RefusesInOneLineWhatCannotBeFitted) {
             "the force does not grow with the depth, expected one that does");
   EXPECT_TRUE(refusal({0.001, 0.001, 0.001, 0.001, 0.001}, {1, 2, 3, 4, 5})
                   .starts_with("the data does not determine k, n, F0 (singular value ratio "));
+  EXPECT_EQ(
+      refusal({0.001, 0.002, 0.003}, {1, 2, 3}, {{.k = 1000, .n = 1}, {false, true, false, false}}),
+      "lambda cannot be identified from this data: there is no rate of the depth in it; it is fixed at 0, "
+      "and nothing else is free, expected another coefficient to fit");
   EXPECT_EQ(refusal({0.001, 0.002}, {1, 2}, {}), "nothing is free, expected a coefficient to fit");
 }
 
@@ -322,6 +326,37 @@ TEST(LawFit, SaysWhenTheForceHardlyChangesWithTheDepth) {
       kQuasiStatic);
   EXPECT_NE(fit.of(FitParameter::k).problem, "");
   EXPECT_NE(fit.of(FitParameter::n).problem, "");
+}
+
+TEST(LawFit, AsksForAConstantForceOnlyWhereItIsAmongTheFits) {
+  // Nine depths that hardly differ: F0 + k d would be as good with k = 0, but k d alone is far from it.
+  const MeasuredCurve curve =
+      curveOf({0.0028, 0.00285, 0.0029, 0.00295, 0.003, 0.00305, 0.0031, 0.00315, 0.0032},
+              {0.284, 0.281, 0.309, 0.295, 0.290, 0.301, 0.306, 0.289, 0.298});
+  const LawFit fixed = fitted(curve, {{}, {true, false, false, false}}, FitLaw::linear_elastic);
+  EXPECT_EQ(fixed.of(FitParameter::k).problem, "");
+  EXPECT_NEAR(fixed.law().k, 98, 3);
+  const LawFit free = fitted(curve, {{}, {true, false, false, true}}, FitLaw::linear_elastic);
+  EXPECT_NE(free.of(FitParameter::k).problem, "");
+}
+
+TEST(LawFit, SaysWhenResidualsAreAlikeByMoreThanChance) {
+  MeasuredCurve curve = presses(100, {0.003}, 1);
+  setForces(kLiver, curve);
+  const MeasuredCurve exact = curve;
+  boost::random::mt19937_64 random(1);
+  boost::random::normal_distribution<double> noise_N(0, 0.01);
+  // Each with 0.45 of the one before: above 0.233, which independent ones exceed once in a hundred times.
+  double alike_N = 0;
+  for (double& force_N : curve.force_N) force_N += alike_N = 0.45 * alike_N + noise_N(random);
+  LawFit fit = fitted(curve, kQuasiStatic);
+  ASSERT_EQ(fit.notes.size(), 1u) << fit.next_correlation;
+  EXPECT_LT(fit.next_correlation, 0.5);
+  EXPECT_TRUE(fit.notes[0].starts_with("residuals of neighbouring points are alike")) << fit.notes[0];
+  curve = exact;
+  for (double& force_N : curve.force_N) force_N += noise_N(random);
+  fit = fitted(curve, kQuasiStatic);
+  EXPECT_TRUE(fit.notes.empty()) << fit.next_correlation;
 }
 
 TEST(LawFit, SaysWhenResidualsAreNoNoise) {

@@ -80,6 +80,14 @@ TEST(MeasuredCurve, CurvesAreJoinedWithTheirRatesButNotTheirTimes) {
   EXPECT_THROW(joined({curves[0], deepless[0]}), InputError);
 }
 
+TEST(MeasuredCurve, PointsWithoutTimesAreInTheOrderOfTheirDepths) {
+  const auto curves = curvesOf("depth_mm,force_N,weight\n3,3,1\n1,2,5\n2,2.5,4\n1,1,3\n");
+  EXPECT_EQ(curves[0].force_N, (Numbers{1, 2, 2.5, 3}));
+  EXPECT_EQ(curves[0].weights, (Numbers{3, 5, 4, 1}));
+  EXPECT_EQ(joined({curves[0], curves[0]}).force_N, (Numbers{1, 1, 2, 2, 2.5, 2.5, 3, 3}));
+  EXPECT_EQ(curvesOf("time_s,depth_mm,force_N\n0,2,2\n1,1,1\n")[0].force_N, (Numbers{2, 1}));
+}
+
 TEST(MeasuredCurve, WarnsOfUnitsThatMayBeWrong) {
   const auto warning = [](const std::string& text) {
     const auto curves = curvesOf(text);
