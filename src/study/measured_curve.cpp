@@ -70,7 +70,7 @@ std::optional<double> factorOf(const std::string& text, const RoleInfo& info) {
   const auto unit = info.units.find(text);
   if (unit != info.units.end()) return unit->second;
   const std::optional<double> number = toReal(text);
-  return number && *number != 0 && !info.units.empty() ? number : std::nullopt;
+  return number && std::isfinite(*number) && *number != 0 && !info.units.empty() ? number : std::nullopt;
 }
 
 CurveColumn parseColumn(const std::string& item) {
@@ -113,11 +113,29 @@ void sortByDepth(MeasuredCurve& curve) {
   curve = pointsOf(curve, order);
 }
 
+std::string weightsOf(const MeasuredCurve& curve) {
+  return labelOf(curve) + (curve.weighted_by ? " by " + std::string(infoOf(*curve.weighted_by).name)
+                                             : std::string(" by nothing"));
+}
+
+/// Of two curves that are to be fitted as one.
+void refuseOtherKind(const MeasuredCurve& first, const MeasuredCurve& other) {
+  if (first.depth_m.empty() != other.depth_m.empty())
+    throw InputError(labelOf(first.depth_m.empty() ? first : other) + " has no depths, but " +
+                     labelOf(first.depth_m.empty() ? other : first) + ", expected depths in all");
+  if (first.weighted_by != other.weighted_by)
+    throw InputError("weights of different kinds, " + weightsOf(first) + " and " + weightsOf(other) +
+                     ", expected one kind");
+}
+
 /// Takes a file row by row.
 class CurveReader {
  public:
   CurveReader(const std::filesystem::path& file, const std::vector<CurveColumn>& columns)
       : table_(file), stem_(file.stem().string()) {
+    if (std::all_of(table_.names().begin(), table_.names().end(),
+                    [](const std::string& name) { return toReal(name).has_value(); }))
+      throw fileError("a header of numbers alone, the first point would be lost", "a line of names above it");
     for (const CurveColumn& column : columns) {
       if (places_.contains(column.role))
         throw InputError("--columns: two columns for " + std::string(infoOf(column.role).name) +
@@ -150,6 +168,9 @@ class CurveReader {
                          " is a point of contact, expected numbers and depths >= 0 (is the "
                          "depth's sign turned? a factor of -0.001 makes it metres)");
       warn(curve);
+      curve.file = table_.fileName();
+      for (const CurveRole role : {CurveRole::sigma, CurveRole::weight})
+        if (places_.contains(role)) curve.weighted_by = role;
       measured.push_back(std::move(curve));
     }
     return measured;
@@ -318,29 +339,38 @@ MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t
   return kept;
 }
 
+std::string labelOf(const MeasuredCurve& curve) {
+  const std::size_t stem = std::filesystem::path(curve.file).stem().string().size();
+  if (curve.file.empty()) return curve.name;
+  return curve.file + (curve.name.size() <= stem ? "" : ", curve " + curve.name.substr(stem + 1));
+}
+
 MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
   MeasuredCurve all;
   all.name = std::to_string(curves.size()) + (curves.size() == 1 ? " curve" : " curves");
   const auto append = [](const std::vector<double>& from, std::vector<double>& to) {
     to.insert(to.end(), from.begin(), from.end());
   };
+  std::string without_times;
   for (const MeasuredCurve& curve : curves) {
+    refuseOtherKind(curves.front(), curve);
     append(curve.depth_m, all.depth_m);
     append(curve.force_N, all.force_N);
     append(curve.rate_m_s, all.rate_m_s);
     append(curve.rate_noise_m_s, all.rate_noise_m_s);
     append(curve.weights, all.weights);
+    all.weighted_by = curve.weighted_by;
     all.rows_without_numbers += curve.rows_without_numbers;
     all.rows_before_contact += curve.rows_before_contact;
-    for (const std::string& warning : curve.warnings) all.warnings.push_back(curve.name + ": " + warning);
+    for (const std::string& warning : curve.warnings) all.warnings.push_back(labelOf(curve) + ": " + warning);
+    if (curve.rate_m_s.empty()) without_times += (without_times.empty() ? "" : "; ") + labelOf(curve);
   }
-  if (all.depth_m.size() != all.force_N.size())
-    throw InputError("some curves have no depths, expected depths in all");
-  if (all.rate_m_s.size() != all.force_N.size()) {
-    all.rate_m_s.clear();
-    all.rate_noise_m_s.clear();
-    sortByDepth(all);
-  }
+  if (all.rate_m_s.size() == all.force_N.size()) return all;
+  if (!all.rate_m_s.empty())
+    all.warnings.push_back("no times in " + without_times + ": the rates of the others are not used");
+  all.rate_m_s.clear();
+  all.rate_noise_m_s.clear();
+  sortByDepth(all);
   return all;
 }
 

@@ -27,6 +27,7 @@ std::vector<CurveColumn> parseCurveColumns(const std::string& text);
 /// the order of their times or, where there are none, of their depths.
 struct MeasuredCurve {
   std::string name;             ///< of the file, and of the curve where a column names it
+  std::string file;             ///< as it was given; empty: several
   std::vector<double> depth_m;  ///< into the tissue, >= 0
   std::vector<double> force_N;
   std::vector<double> time_s;          ///< never goes back
@@ -34,9 +35,11 @@ struct MeasuredCurve {
   std::vector<double> rate_noise_m_s;  ///< what noise of the depths makes of it, by rateNoiseOf()
   std::vector<double> weights;         ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
 
+  std::optional<CurveRole> weighted_by;  ///< sigma or weight; nothing: all weights are 1
+
   std::size_t rows_without_numbers = 0;  ///< left out: an empty cell, NaN, weight 0
   std::size_t rows_before_contact = 0;   ///< left out: a negative depth
-  std::vector<std::string> warnings;     ///< values so large or small that a unit may be wrong
+  std::vector<std::string> warnings;     ///< what a reader must know, as that a unit may be wrong
 };
 
 /// The curves of a file (see DelimitedText), in the order of their first rows. `columns` without a depth,
@@ -49,8 +52,11 @@ std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
 /// The curve with these of its points alone, in this order.
 MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points);
 
-/// The points of all curves as one, without times; rates only where all have them. Throws InputError where
-/// some have depths and some do not.
+/// For messages: the file, and the curve where a column names it.
+std::string labelOf(const MeasuredCurve& curve);
+
+/// The points of all curves as one, without times; rates only where all have them, else a warning says which
+/// have none. Throws InputError where some have depths and some do not, or their weights are not of one kind.
 MeasuredCurve joined(const std::vector<MeasuredCurve>& curves);
 
 }  // namespace fissure

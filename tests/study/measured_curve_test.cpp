@@ -78,6 +78,45 @@ TEST(MeasuredCurve, CurvesAreJoinedWithTheirRatesButNotTheirTimes) {
   EXPECT_TRUE(joined({curves[0], slow[0]}).rate_noise_m_s.empty());
   const auto deepless = curvesOf("time_s,force_N\n1,1\n");
   EXPECT_THROW(joined({curves[0], deepless[0]}), InputError);
+  // Which have no times is said.
+  MeasuredCurve timeless = slow[0];
+  timeless.file = "a/slow.csv";
+  timeless.name = "slow";
+  EXPECT_EQ(joined({curves[0], timeless}).warnings,
+            std::vector<std::string>{"no times in a/slow.csv: the rates of the others are not used"});
+  EXPECT_TRUE(joined({timeless, timeless}).warnings.empty());
+}
+
+TEST(MeasuredCurve, WeightsOfDifferentKindsAreNotJoined) {
+  MeasuredCurve a = curvesOf("depth_mm,force_N,sigma_N\n1,1,0.1\n")[0],
+                b = curvesOf("depth_mm,force_N\n1,1\n")[0];
+  a.file = "a.csv";
+  a.name = "a";
+  b.name = "b";
+  b.file = "b.csv";
+  const auto refusal = [](const std::vector<MeasuredCurve>& curves) -> std::string {
+    try {
+      joined(curves);
+    } catch (const InputError& error) {
+      return error.what();
+    }
+    return "nothing";
+  };
+  EXPECT_EQ(refusal({a, b}),
+            "weights of different kinds, a.csv by sigma and b.csv by nothing, expected one kind");
+  EXPECT_EQ(refusal({a, a}), "nothing");
+}
+
+TEST(MeasuredCurve, MessagesNameTheFileAndTheCurveOfAColumn) {
+  MeasuredCurve curve;
+  curve.name = "probe:left";
+  curve.file = "day 1/probe.csv";
+  EXPECT_EQ(labelOf(curve), "day 1/probe.csv, curve left");
+  curve.name = "probe";
+  EXPECT_EQ(labelOf(curve), "day 1/probe.csv");
+  curve.file.clear();
+  EXPECT_EQ(labelOf(curve), "probe");
+  EXPECT_TRUE(curvesOf("depth_mm,force_N\n1,1\n")[0].file.ends_with("/probe.csv"));
 }
 
 TEST(MeasuredCurve, PointsWithoutTimesAreInTheOrderOfTheirDepths) {
@@ -134,6 +173,9 @@ TEST(MeasuredCurve, SaysInOneLineWhatIsWrong) {
   EXPECT_EQ(curveError("depth_mm,force_N,weight\n1,1,-1\n"), "probe.csv:2: a weight below 0, expected >= 0");
   EXPECT_EQ(curveError("time_s,depth_mm,force_N\n1,1,1\n0,1,1\n"),
             "probe.csv:3: the time goes back, expected times in order");
+  EXPECT_EQ(curveError("1,0.1\n2,0.2\n3,0.3\n", "depth=1:mm,force=2:N"),
+            "probe.csv:1: a header of numbers alone, the first point would be lost, expected a line of names "
+            "above it");
   EXPECT_EQ(curveError("depth_mm,force_N\n"), "probe.csv:1: only a header line, expected rows below it");
   EXPECT_EQ(
       curveError("depth_mm,force_N\n-1,1\n-2,2\n"),
@@ -153,6 +195,8 @@ TEST(MeasuredCurve, RefusesColumnsThatMakeNoSense) {
             "--columns depth=a:N: \"N\" is no unit of a depth, expected m or mm or a factor");
   EXPECT_EQ(error("depth=a:0"),
             "--columns depth=a:0: \"0\" is no unit of a depth, expected m or mm or a factor");
+  EXPECT_EQ(error("depth=a:inf"),
+            "--columns depth=a:inf: \"inf\" is no unit of a depth, expected m or mm or a factor");
   EXPECT_EQ(error("curve=a:1"), "--columns curve=a:1: \"1\" is no unit of a curve, expected none");
   EXPECT_EQ(error("depth=a:m,depth=b:m"), "--columns: two columns for depth, expected one");
 }
