@@ -38,14 +38,7 @@ std::string intervalText(const FittedValue& value) {
 }
 
 std::vector<std::string> notesOf(const CurveFit& fit) {
-  std::vector<std::string> notes;
-  const MeasuredCurve& curve = fit.curve;
-  if (!fit.problem.empty()) notes.push_back("not fitted: " + fit.problem);
-  if (curve.rows_without_numbers > 0)
-    notes.push_back("left out " + plural(curve.rows_without_numbers, "row") + " without numbers");
-  if (curve.rows_before_contact > 0)
-    notes.push_back("left out " + plural(curve.rows_before_contact, "row") + " before contact (depth < 0)");
-  notes.insert(notes.end(), curve.warnings.begin(), curve.warnings.end());
+  std::vector<std::string> notes = curveNotes(fit.curve);
   if (fit.problem.empty()) notes.insert(notes.end(), fit.fit.notes.begin(), fit.fit.notes.end());
   return notes;
 }
@@ -127,11 +120,27 @@ Json fittedJson(FitLaw law, const LawFit& fit) {
 
 }  // namespace
 
+std::vector<std::string> curveNotes(const MeasuredCurve& curve) {
+  std::vector<std::string> notes;
+  if (curve.rows_without_numbers > 0)
+    notes.push_back("left out " + plural(curve.rows_without_numbers, "row") + " without numbers");
+  if (curve.rows_before_contact > 0)
+    notes.push_back("left out " + plural(curve.rows_before_contact, "row") + " before contact (depth < 0)");
+  notes.insert(notes.end(), curve.warnings.begin(), curve.warnings.end());
+  return notes;
+}
+
+Json fileJson(const MeasuredCurve& curve) {
+  return curve.file.empty() ? Json() : Json(curve.file);
+}
+
 std::string fitText(FitLaw law, const std::vector<CurveFit>& fits) {
   const bool block = fits.size() == 1 && fits.front().problem.empty();
   std::string text = block ? blockText(law, fits.front()) : tableText(law, fits);
-  for (const CurveFit& fit : fits)
+  for (const CurveFit& fit : fits) {
+    if (!fit.problem.empty()) text += labelOf(fit.curve) + ": not fitted: " + fit.problem + "\n";
     for (const std::string& note : notesOf(fit)) text += (block ? "  " : fit.curve.name + ": ") + note + "\n";
+  }
   return text;
 }
 
@@ -139,6 +148,7 @@ Json fitJson(FitLaw law, const std::vector<CurveFit>& fits) {
   Json curves = Json::array();
   for (const CurveFit& fit : fits) {
     Json json = {{"curve", fit.curve.name},
+                 {"file", fileJson(fit.curve)},
                  {"points", fit.curve.force_N.size()},
                  {"rows_without_numbers", fit.curve.rows_without_numbers},
                  {"rows_before_contact", fit.curve.rows_before_contact}};

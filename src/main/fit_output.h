@@ -18,6 +18,12 @@ struct CurveFit {
 /// For people: one fit as a block, several as a table with a row a curve.
 std::string fitText(FitLaw law, const std::vector<CurveFit>& fits);
 
+/// Its path as it was given; null: several.
+nlohmann::ordered_json fileJson(const MeasuredCurve& curve);
+
+/// What was left out of a curve, and its warnings.
+std::vector<std::string> curveNotes(const MeasuredCurve& curve);
+
 /// For machines.
 nlohmann::ordered_json fitJson(FitLaw law, const std::vector<CurveFit>& fits);
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "main/fit_output.h"
 #include "main/text_table.h"
 #include "study/law_model.h"
 
@@ -31,6 +32,8 @@ MeasuredCurve reachable(const MeasuredCurve& curve, MatchBy by, double least, do
   if (reached.size() < measured.size())
     kept.warnings.push_back("left out " + std::to_string(measured.size() - reached.size()) + " of " +
                             std::to_string(measured.size()) + " points that no run reaches");
+  const std::string note = by == MatchBy::depth ? wayBackNote(kept) : "";
+  if (!note.empty()) kept.warnings.push_back(note);
   return kept;
 }
 
@@ -51,7 +54,7 @@ class Ranker {
     return deepest;
   }
 
-  std::vector<Misfit> misfits(const MeasuredCurve& curve, bool free_offset) const {
+  std::vector<Misfit> misfits(const MeasuredCurve& curve, std::optional<double> fixed_offset_N) const {
     std::vector<Misfit> all;
     for (std::size_t first = 0; first < table_.runs(); first += kBlock) {
       const std::size_t count = std::min(kBlock, table_.runs() - first);
@@ -60,7 +63,7 @@ class Ranker {
           way_ == nullptr ? std::vector<double>() : table_.curves(*way_, first, count);
       for (std::size_t row = 0; row < count; ++row)
         for (std::size_t law = 0; law < laws(); ++law) {
-          Misfit misfit = ofRow(curve, forces_N, ways_m, row, law, free_offset);
+          Misfit misfit = ofRow(curve, forces_N, ways_m, row, law, fixed_offset_N);
           misfit.run = first + row;
           misfit.law = law;
           all.push_back(misfit);
@@ -75,14 +78,16 @@ class Ranker {
   std::size_t laws() const { return force_.per_law ? table_.layout().laws.size() : 1; }
 
   Misfit ofRow(const MeasuredCurve& curve, const std::vector<double>& forces_N,
-               const std::vector<double>& ways_m, std::size_t row, std::size_t law, bool free_offset) const {
+               const std::vector<double>& ways_m, std::size_t row, std::size_t law,
+               std::optional<double> fixed_offset_N) const {
     const auto start = forces_N.begin() + static_cast<std::ptrdiff_t>((row * laws() + law) * times());
     std::vector<double> force_N(start, start + static_cast<std::ptrdiff_t>(times()));
-    if (by_ == MatchBy::time) return misfitOf(curve, by_, table_.layout().curve_time_s, force_N, free_offset);
+    if (by_ == MatchBy::time)
+      return misfitOf(curve, by_, table_.layout().curve_time_s, force_N, fixed_offset_N);
     const auto way_start = ways_m.begin() + static_cast<std::ptrdiff_t>(row * times());
     std::vector<double> way_m(way_start, way_start + static_cast<std::ptrdiff_t>(times()));
     keepDeepening(way_m, force_N);
-    return misfitOf(curve, by_, way_m, force_N, free_offset);
+    return misfitOf(curve, by_, way_m, force_N, fixed_offset_N);
   }
 
   const SweepTable& table_;
@@ -98,7 +103,8 @@ std::string lawOf(const SweepTable& table, const Misfit& misfit) {
 
 }  // namespace
 
-SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by, bool free_offset) {
+SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by,
+                       std::optional<double> fixed_offset_N) {
   const Ranker ranker(table, by);
   const std::vector<double>& time_s = table.layout().curve_time_s;
   if ((by == MatchBy::time ? curve.time_s : curve.depth_m).empty())
@@ -108,10 +114,26 @@ SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, Matc
   SweepRanking ranking;
   ranking.curve = by == MatchBy::time ? reachable(curve, by, time_s.front(), time_s.back())
                                       : reachable(curve, by, 0, ranker.deepest_m());
-  ranking.misfits = ranker.misfits(ranking.curve, free_offset);
+  ranking.misfits = ranker.misfits(ranking.curve, fixed_offset_N);
   if (ranking.misfits.empty() || std::isnan(ranking.misfits.front().rms_N))
     throw InputError("no run reaches the measured points, expected simulations as long or deep as these");
   return ranking;
+}
+
+void readRanked(const SweepTable& table) {
+  for (const SweepCurve& curve : table.layout().curves) {
+    if (curve.name != "force" && curve.name != "indentation") continue;
+    for (std::size_t first = 0; first < table.runs(); first += kBlock)
+      table.curves(curve, first, std::min(kBlock, table.runs() - first));
+  }
+  for (const char* column : {"point", "repeat"}) table.numbers(column);
+  for (const char* column : {"pipeline", "file"}) table.texts(column);
+  for (const SweepAxisColumn& axis : table.layout().axes) {
+    if (axis.numeric)
+      table.numbers(axis.name);
+    else
+      table.texts(axis.name);
+  }
 }
 
 std::string rankingText(const SweepTable& table, const SweepRanking& ranking, std::size_t most) {
@@ -138,7 +160,7 @@ std::string rankingText(const SweepTable& table, const SweepRanking& ranking, st
   std::string ranked = ranking.curve.name + ": " + std::to_string(compared) + " of " +
                        std::to_string(ranking.misfits.size()) + " simulated curves compared at " +
                        std::to_string(ranking.curve.force_N.size()) + " points\n" + alignedText(rows, 0);
-  for (const std::string& warning : ranking.curve.warnings) ranked += warning + "\n";
+  for (const std::string& note : curveNotes(ranking.curve)) ranked += note + "\n";
   return ranked;
 }
 
@@ -165,8 +187,9 @@ nlohmann::ordered_json rankingJson(const SweepTable& table, const SweepRanking& 
                       {"file", files[misfit.run]}});
   }
   return {{"curve", ranking.curve.name},
+          {"file", fileJson(ranking.curve)},
           {"points", ranking.curve.force_N.size()},
-          {"notes", ranking.curve.warnings},
+          {"notes", curveNotes(ranking.curve)},
           {"ranking", ranked}};
 }
 

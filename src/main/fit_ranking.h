@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +19,11 @@ struct SweepRanking {
 
 /// By the sweep's curve `force`, one a law, over its time; by depth over its curve `indentation` (m, since
 /// first contact). Throws InputError when the table lacks them, or no run can be compared.
-SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by, bool free_offset);
+SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by,
+                       std::optional<double> fixed_offset_N);
+
+/// Reads all of a table that a ranking may need: whether that is damaged.
+void readRanked(const SweepTable& table);
 
 /// For people: the best `most` runs with their axes' values.
 std::string rankingText(const SweepTable& table, const SweepRanking& ranking, std::size_t most);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -50,6 +51,29 @@ FitParameter parameterOf(const std::string& option, const std::string& name, Fit
                    didYouMean(name, known));
 }
 
+std::pair<FitParameter, double> parseFixed(const std::string& text, FitLaw law) {
+  const std::size_t equals = std::min(text.find('='), text.size());
+  const std::optional<double> value = equals < text.size() ? toReal(text.substr(equals + 1)) : std::nullopt;
+  if (!value || !std::isfinite(*value))
+    throw InputError("--fix " + text + ": expected COEFFICIENT=NUMBER, as in lambda=0");
+  const FitParameter parameter = parameterOf("--fix " + text, text.substr(0, equals), law);
+  if ((parameter == FitParameter::k || parameter == FitParameter::n) && *value <= 0)
+    throw InputError("--fix " + text + ": expected a number above 0");
+  return {parameter, *value};
+}
+
+/// Of a ranking: nothing but F0 can be fixed.
+std::optional<double> fixedOffset_N(const FitOptions& options) {
+  std::optional<double> offset_N;
+  for (const std::string& text : options.fixed) {
+    const auto [parameter, value] = parseFixed(text, FitLaw::hunt_crossley);
+    if (parameter != FitParameter::F0 || offset_N)
+      throw InputError("--fix " + text + ": nothing is fitted with --sweep, expected F0 alone, and once");
+    offset_N = value;
+  }
+  return offset_N;
+}
+
 /// All are free but what is fixed; with --free only those named are, and F0 and lambda are 0 unless fixed.
 FitSettings settingsOf(const FitOptions& options, FitLaw law) {
   FitSettings settings;
@@ -63,16 +87,13 @@ FitSettings settingsOf(const FitOptions& options, FitLaw law) {
   }
   std::array<bool, kFitParameters> fixed{};
   for (const std::string& text : options.fixed) {
-    const std::size_t equals = std::min(text.find('='), text.size());
-    const std::optional<double> value = equals < text.size() ? toReal(text.substr(equals + 1)) : std::nullopt;
-    if (!value) throw InputError("--fix " + text + ": expected COEFFICIENT=NUMBER, as in lambda=0");
-    const FitParameter parameter = parameterOf("--fix " + text, text.substr(0, equals), law);
+    const auto [parameter, value] = parseFixed(text, law);
     const auto index = static_cast<std::size_t>(parameter);
     if (!options.free.empty() && settings.free[index])
       throw InputError("--fix " + text + ": " + nameOf(parameter) + " is free too, expected one of them");
-    if ((parameter == FitParameter::k || parameter == FitParameter::n) && *value <= 0)
-      throw InputError("--fix " + text + ": expected a number above 0");
-    valueOf(settings.fixed, parameter) = *value;
+    if (fixed[index])
+      throw InputError("--fix " + text + ": " + nameOf(parameter) + " is fixed already, expected one value");
+    valueOf(settings.fixed, parameter) = value;
     settings.free[index] = false;
     fixed[index] = true;
   }
@@ -109,6 +130,9 @@ CurveFit fitCurve(MeasuredCurve curve, FitLaw law, const FitSettings& settings,
     if (simulation != nullptr) {
       simulated = makeSimulatedFit(law, *simulation, made.curve, matchBy(options, made.curve));
       made.curve = simulated.curve;
+      const bool viscous =
+          settings.free[static_cast<std::size_t>(FitParameter::lambda)] || settings.fixed.lambda != 0;
+      if (viscous && !simulated.rate_note.empty()) made.curve.warnings.push_back(simulated.rate_note);
     } else {
       simulated.model = makeProbeModel(law, made.curve);
     }
@@ -138,7 +162,7 @@ int fitCurves(const FitOptions& options, const std::vector<MeasuredCurve>& curve
   for (const MeasuredCurve& curve : curves)
     fits.push_back(fitCurve(curve, law, settings, simulation ? &*simulation : nullptr, options));
   if (fits.size() == 1 && !fits.front().problem.empty())
-    throw InputError(fits.front().curve.name + ": " + fits.front().problem);
+    throw InputError(labelOf(fits.front().curve) + ": " + fits.front().problem);
   const bool good = std::all_of(fits.begin(), fits.end(),
                                 [](const CurveFit& fit) { return fit.problem.empty() && fit.fit.converged; });
   const int code = good ? exit_good : exit_run_failed;
@@ -150,32 +174,36 @@ int fitCurves(const FitOptions& options, const std::vector<MeasuredCurve>& curve
 }
 
 int rankRuns(const FitOptions& options, const std::vector<MeasuredCurve>& curves) {
-  const FitSettings settings = settingsOf(options, lawOf(options.law));
+  const std::optional<double> fixed_offset_N = fixedOffset_N(options);
   std::filesystem::path file = options.sweep;
   if (std::filesystem::is_directory(file)) file /= "sweep.h5";
-  const bool free_offset = settings.free[static_cast<std::size_t>(FitParameter::F0)];
-  const auto ranked = [&](const SweepTable& table, const MeasuredCurve& curve) {
-    try {
-      return rankSweep(table, curve, matchBy(options, curve), free_offset);
-    } catch (const InputError& error) {
-      throw InputError(curve.name + ": " + error.what());
-    }
-  };
-  tryReading(file, [&] { ranked(SweepTable(file), curves.front()); });
+  tryReading(file, [&] { readRanked(SweepTable(file)); });
   const SweepTable table(file);
   nlohmann::ordered_json rankings = nlohmann::ordered_json::array();
+  int code = exit_good;
   for (const MeasuredCurve& curve : curves) {
-    const SweepRanking ranking = ranked(table, curve);
-    if (options.json)
-      rankings.push_back(rankingJson(table, ranking));
-    else
-      std::cout << rankingText(table, ranking, options.best);
+    try {
+      const SweepRanking ranking = rankSweep(table, curve, matchBy(options, curve), fixed_offset_N);
+      if (options.json)
+        rankings.push_back(rankingJson(table, ranking));
+      else
+        std::cout << rankingText(table, ranking, options.best);
+    } catch (const InputError& error) {
+      if (curves.size() == 1) throw InputError(labelOf(curve) + ": " + error.what());
+      code = exit_run_failed;
+      if (options.json)
+        rankings.push_back({{"curve", curve.name}, {"file", fileJson(curve)}, {"problem", error.what()}});
+      else
+        std::cout << labelOf(curve) << ": not ranked: " << error.what() << "\n";
+    }
   }
-  if (options.json) print(exit_good, {{"sweep", file.string()}, {"curves", rankings}});
-  return exit_good;
+  if (options.json) print(code, {{"sweep", file.string()}, {"curves", rankings}});
+  return code;
 }
 
 int fit(const FitOptions& options) {
+  if (!options.match.empty() && options.result.empty() && options.sweep.empty())
+    throw InputError("--match " + options.match + ": nothing is simulated, expected --result or --sweep too");
   const std::vector<MeasuredCurve> curves = readAll(options);
   return options.sweep.empty() ? fitCurves(options, curves) : rankRuns(options, curves);
 }
@@ -194,9 +222,10 @@ Verb addFit(CLI::App& app) {
       "what the columns are: depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe; by name or "
       "number, units m, mm, N, mN, s, ms or a factor (default: by their names, as depth_mm, force_N, "
       "time_s)");
-  command->add_option("--law", options->law, "hunt_crossley, kelvin_voigt or linear_elastic")
-      ->capture_default_str();
-  command->add_option(
+  CLI::Option* law =
+      command->add_option("--law", options->law, "hunt_crossley, kelvin_voigt or linear_elastic")
+          ->capture_default_str();
+  CLI::Option* free = command->add_option(
       "--free", options->free,
       "what is fitted, as k,n,F0 (default: all of k, lambda, n, F0 that is not fixed); F0 and "
       "lambda are 0 else");
@@ -205,17 +234,22 @@ Verb addFit(CLI::App& app) {
   CLI::Option* result = command->add_option(
       "--result", options->result,
       "RESULT[:RUN]: the law summed over the triangles of this simulation (record: {force_inputs: true})");
-  command
-      ->add_option("--sweep", options->sweep,
-                   "DIR: fit nothing, rank its runs by their misfit; F0 is free unless fixed")
-      ->excludes(result);
+  CLI::Option* sweep =
+      command
+          ->add_option("--sweep", options->sweep,
+                       "DIR: fit nothing, rank its runs by their misfit; F0 is free unless fixed")
+          ->excludes(result)
+          ->excludes(law)
+          ->excludes(free);
   command
       ->add_option("--match", options->match,
                    "what a curve and a simulation have in common: depth (way of the tool since first "
                    "contact, until it is "
                    "deepest) or time (default: depth, where the curve has depths)")
       ->check(CLI::IsMember({"depth", "time"}));
-  command->add_option("--best", options->best, "how many runs of a sweep are shown")->capture_default_str();
+  command->add_option("--best", options->best, "how many runs of a sweep are shown")
+      ->capture_default_str()
+      ->needs(sweep);
   command->add_flag("--together", options->together, "one law for the points of all curves");
   command->add_flag("--json", options->json, "the fits for machines");
   return {command, [options] { return fit(*options); }};

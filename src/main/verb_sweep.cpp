@@ -189,6 +189,9 @@ int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::
   forgetLostResults(plan, folder, state);
   refuseReplacedPlan(plan, folder);
   writeSweepTables(plan, state, folder, provenanceOf(plan, command_line));
+  if (comparesNothing(plan, folder))
+    std::cerr << "no run reaches all points of " << plan.manifest().settings.fit->curve
+              << ", misfit_N is empty: expected simulations as long or deep as these\n";
   const auto counts = countRuns(plan, state);
   const int code = codeOf(counts);
   if (json) {

@@ -8,7 +8,7 @@
 namespace fissure {
 
 Misfit misfitOf(const MeasuredCurve& curve, MatchBy by, std::span<const double> at,
-                std::span<const double> force_N, bool free_offset) {
+                std::span<const double> force_N, std::optional<double> fixed_offset_N) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
   const std::vector<double>& measured = by == MatchBy::time ? curve.time_s : curve.depth_m;
   std::vector<double> differences_N;
@@ -27,7 +27,7 @@ Misfit misfitOf(const MeasuredCurve& curve, MatchBy by, std::span<const double> 
     weighted_N += curve.weights[i] * differences_N.back();
   }
   if (differences_N.empty()) return {.rms_N = none};
-  Misfit misfit{.F0_N = free_offset ? weighted_N / weights : 0};
+  Misfit misfit{.F0_N = fixed_offset_N.value_or(weighted_N / weights)};
   double squares_N2 = 0;
   for (std::size_t i = 0; i < differences_N.size(); ++i)
     squares_N2 += curve.weights[i] * std::pow(differences_N[i] - misfit.F0_N, 2);
@@ -46,6 +46,22 @@ void keepDeepening(std::vector<double>& way_m, std::vector<double>& force_N) {
   }
   way_m.resize(kept);
   force_N.resize(kept);
+}
+
+std::string wayBackNote(const MeasuredCurve& curve) {
+  if (curve.time_s.empty() || curve.depth_m.empty()) return "";
+  const double margin_m = 0.01 * *std::max_element(curve.depth_m.begin(), curve.depth_m.end());
+  double deepest_m = 0;
+  std::size_t back = 0;
+  for (const double depth_m : curve.depth_m) {
+    deepest_m = std::max(deepest_m, depth_m);
+    if (depth_m < deepest_m - margin_m) ++back;
+  }
+  if (back == 0) return "";
+  return std::to_string(back) + " of " + std::to_string(curve.depth_m.size()) +
+         " points are shallower than one before them, as on a way back, and meet the simulated way in: "
+         "--match "
+         "time tells them apart";
 }
 
 void rank(std::vector<Misfit>& misfits) {

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "study/match_by.h"
@@ -18,14 +20,19 @@ struct Misfit {
 };
 
 /// `force_N` over ascending `at`, times or depths as `by` says, against the curve's points in between
-/// (linearly). With `free_offset` F0 is the one of the least misfit, else 0. NaN where the simulated curve
+/// (linearly). F0 is `fixed_offset_N` or, without, the one of the least misfit. NaN where the simulated curve
 /// has a gap or an end before the last point, or the curve has no such points.
 Misfit misfitOf(const MeasuredCurve& curve, MatchBy by, std::span<const double> at,
-                std::span<const double> force_N, bool free_offset);
+                std::span<const double> force_N, std::optional<double> fixed_offset_N);
 
 /// The same points of a curve over the way of a tool instead of time: those from first contact to the
 /// deepest that go deeper than all before. All three of one length; `way_m` is 0 before contact.
 void keepDeepening(std::vector<double>& way_m, std::vector<double>& force_N);
+
+/// What must be said where depths are matched: how many points are shallower than one before them by more
+/// than a hundredth of the deepest, as on a way back, although all meet the simulated way in. Empty: none, or
+/// the curve has no times.
+std::string wayBackNote(const MeasuredCurve& curve);
 
 /// Least misfit first, NaN last, equal ones by run and law.
 void rank(std::vector<Misfit>& misfits);

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 
 #include "base/error.h"
 #include "scenario/load.h"
 #include "store/result_file.h"
 #include "store/run_reader.h"
+#include "study/curve_rank.h"
 #include "study/law_family.h"
 
 namespace fissure {
@@ -22,7 +24,8 @@ struct Place {
 
 class SimulatedModel : public LawModel {
  public:
-  SimulatedModel(FitLaw law, const SimulatedRun& run, std::vector<Place> places)
+  /// `rates`: whether those of the simulation are those of the curve.
+  SimulatedModel(FitLaw law, const SimulatedRun& run, std::vector<Place> places, bool rates)
       : law_(law), scenario_laws_(run.laws), places_(std::move(places)) {
     const auto same = std::find_if(run.laws.begin(), run.laws.end(),
                                    [&](const ForceSettings& of) { return of.model == nameOf(law); });
@@ -31,6 +34,7 @@ class SimulatedModel : public LawModel {
     takeSteps(run);
     takeScales(
         static_cast<std::size_t>((same == run.laws.end() ? run.laws.begin() : same) - run.laws.begin()));
+    if (!rates) rate_scale_m_s_ = 0;
   }
   FitLaw law() const override { return law_; }
   std::size_t size() const override { return places_.size(); }
@@ -117,6 +121,29 @@ bool findPlace(double at, const std::vector<double>& values, const std::vector<s
   return true;
 }
 
+double meanSquare(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+/// `places` of the points of `curve`.
+std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run, const std::vector<Place>& places) {
+  if (curve.rate_m_s.empty()) return "";
+  std::vector<double> simulated_m_s;
+  for (const Place& place : places) {
+    const std::size_t after = std::max(place.after, place.before + 1);
+    if (after < run.way_m.size())
+      simulated_m_s.push_back((run.way_m[after] - run.way_m[place.before]) /
+                              (run.inputs.times_s[after] - run.inputs.times_s[place.before]));
+  }
+  const double measured_m2_s2 = meanSquare(curve.rate_m_s) - meanSquare(curve.rate_noise_m_s);
+  const double measured = std::sqrt(std::max(0.0, measured_m2_s2)),
+               simulated = std::sqrt(meanSquare(simulated_m_s));
+  if (measured <= 2 * simulated && simulated <= 2 * measured) return "";
+  return "typical rates are " + fourDigits(measured) + " m/s in the curve and " + fourDigits(simulated) +
+         " m/s in the simulation, whose count: expected a simulation as fast, or --match time";
+}
+
 std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
   if (info.pipelines.size() == 1) return info.pipelines.front().name;
   std::string names;
@@ -177,7 +204,14 @@ SimulatedFit makeSimulatedFit(FitLaw law, const SimulatedRun& run, const Measure
   if (reached.size() < measured.size())
     kept.warnings.push_back("left out " + std::to_string(measured.size() - reached.size()) + " of " +
                             std::to_string(measured.size()) + " points that the simulation does not reach");
-  return {std::make_unique<SimulatedModel>(law, run, std::move(places)), std::move(kept)};
+  const bool by_depth = by == MatchBy::depth;
+  const std::string back = by_depth ? wayBackNote(kept) : "";
+  if (!back.empty()) kept.warnings.push_back(back);
+  const bool rates =
+      std::any_of(kept.rate_m_s.begin(), kept.rate_m_s.end(), [](double rate) { return rate != 0; });
+  const std::string rate_note = by_depth ? rateNote(kept, run, places) : "";
+  return {std::make_unique<SimulatedModel>(law, run, std::move(places), !by_depth || rates), std::move(kept),
+          rate_note};
 }
 
 }  // namespace fissure

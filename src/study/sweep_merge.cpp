@@ -1,6 +1,7 @@
 #include "study/sweep_merge.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <set>
 #include <span>
@@ -205,6 +206,12 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
     std::filesystem::rename(file(place.work()), file(folder), error);
     if (error) throw RunError(file(folder).string() + ": cannot be written: " + error.message());
   }
+}
+
+bool comparesNothing(const SweepPlan& plan, const std::filesystem::path& folder) {
+  if (!plan.manifest().settings.fit) return false;
+  const std::vector<double> misfits = SweepTable(tableFile(folder)).numbers(misfit_metric);
+  return std::all_of(misfits.begin(), misfits.end(), [](double misfit) { return std::isnan(misfit); });
 }
 
 }  // namespace fissure

@@ -23,4 +23,7 @@ std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepS
 void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std::filesystem::path& folder,
                       const Provenance& provenance);
 
+/// Whether the sweep has a measured curve, and its table in `folder` no run that could be held against that.
+bool comparesNothing(const SweepPlan& plan, const std::filesystem::path& folder);
+
 }  // namespace fissure

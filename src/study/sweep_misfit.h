@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ namespace fissure {
 /// How far each run of a sweep is from the measured curve that its file names.
 class SweepMisfit {
  public:
-  /// Reads `file`, of which the first curve counts. `laws`: names of the scenario's force laws. Throws
+  /// Reads `file`, of one curve. `laws`: names of the scenario's force laws. Throws
   /// InputError about the file, also when it lacks what the fit compares.
   SweepMisfit(const SweepFit& fit, const std::vector<std::string>& laws, const std::filesystem::path& file);
 
@@ -28,7 +29,7 @@ class SweepMisfit {
 
  private:
   MatchBy match_;
-  bool free_offset_;
+  std::optional<double> fixed_offset_N_;
   std::size_t law_ = 0;
   MeasuredCurve curve_;
 };

@@ -42,6 +42,7 @@ TEST(Fit, FindsWhatTheExampleWasMadeWith) {
   EXPECT_EQ(fit["exit_code"], 0);
   const Json& curve = fit["curves"].at(0);
   EXPECT_EQ(curve["converged"], true);
+  EXPECT_EQ(curve["file"], example);
   EXPECT_EQ(curve["notes"], Json::array());
   expectCovered(curve["parameters"]["k"], 6.08e5);
   expectCovered(curve["parameters"]["lambda"], 3.04e5);
@@ -78,9 +79,10 @@ TEST(Fit, ACurveThatCannotBeFittedDoesNotStopTheOthers) {
   folder.write("few.csv", "depth_mm,force_N\n1,0.1\n2,0.2\n");
   const Outcome outcome = runFissure(folder, {"fit", "few.csv", example});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_NE(outcome.out.find("few: not fitted: 2 points for 3 free coefficients, expected more points than "
-                             "these\n"),
-            std::string::npos)
+  EXPECT_NE(
+      outcome.out.find("few.csv: not fitted: 2 points for 3 free coefficients, expected more points than "
+                       "these\n"),
+      std::string::npos)
       << outcome.out;
   EXPECT_NE(outcome.out.find("\nprobe_presses  "), std::string::npos) << outcome.out;
 }
@@ -99,7 +101,7 @@ TEST(Fit, BadInputIsOneLine) {
   expectRefused({"no.csv"}, "no.csv: no such file, expected a text file of numbers");
   expectRefused({"bad.csv"},
                 "bad.csv:3: \"much\" in column \"force_N\", expected a number like -0.0125 or nothing");
-  expectRefused({"few.csv"}, "few: 2 points for 3 free coefficients, expected more points than these");
+  expectRefused({"few.csv"}, "few.csv: 2 points for 3 free coefficients, expected more points than these");
   expectRefused(
       {example, "--law", "voigt"},
       "--law voigt: no such force law, expected one of hunt_crossley, kelvin_voigt, linear_elastic");
@@ -109,6 +111,18 @@ TEST(Fit, BadInputIsOneLine) {
   expectRefused({example, "--fix", "n"}, "--fix n: expected COEFFICIENT=NUMBER, as in lambda=0");
   expectRefused({example, "--fix", "n=-1"}, "--fix n=-1: expected a number above 0");
   expectRefused({example, "--free", "k,n", "--fix", "k=1"}, "--fix k=1: k is free too, expected one of them");
+  expectRefused({example, "--fix", "F0=inf"}, "--fix F0=inf: expected COEFFICIENT=NUMBER, as in lambda=0");
+  expectRefused({example, "--fix", "n=2", "--fix", "n=3"},
+                "--fix n=3: n is fixed already, expected one value");
+  expectRefused({example, "--match", "time"},
+                "--match time: nothing is simulated, expected --result or --sweep too");
+  expectRefused({example, "--best", "3"}, "fissure: --best requires --sweep (see fissure --help)");
+  expectRefused({example, "--sweep", ".", "--law", "hunt_crossley"},
+                "fissure: --law excludes --sweep (see fissure --help)");
+  expectRefused({example, "--sweep", ".", "--free", "k"},
+                "fissure: --free excludes --sweep (see fissure --help)");
+  expectRefused({example, "--sweep", ".", "--fix", "n=2"},
+                "--fix n=2: nothing is fitted with --sweep, expected F0 alone, and once");
   expectRefused(
       {example, "--result", "few.csv"},
       "few.csv: not an HDF5 file, expected a fissure result (cannot open: file signature not found)");
@@ -202,11 +216,42 @@ TEST(Fit, RanksTheRunsOfASweepByTimeAndByDepth) {
   EXPECT_EQ(ranking[0]["law"], "spring");
   EXPECT_EQ(ranking[1]["run"], 0);
   EXPECT_EQ(ranking[2]["misfit_N"], nullptr);
+  // 0.05 N above the run with k = 200 throughout.
+  outcome = runFissure(folder, {"fit", "depth.csv", "--sweep", "sweep", "--json", "--fix", "F0=0.04"});
+  const Json fixed = Json::parse(outcome.out)["curves"][0]["ranking"][0];
+  EXPECT_EQ(fixed["values"]["force.spring.k"], 200.0);
+  EXPECT_NEAR(fixed["misfit_N"].get<double>(), 0.01, 1e-12);
+  EXPECT_EQ(fixed["F0_N"], 0.04);
   folder.write("late.csv", "time_s,force_N\n5,1\n6,2\n");
   outcome = runFissure(folder, {"fit", "late.csv", "--sweep", "sweep"});
   EXPECT_EQ(outcome.code, 2);
   EXPECT_EQ(outcome.err,
-            "late: no run reaches the measured points, expected simulations as long or deep as these\n");
+            "late.csv: no run reaches the measured points, expected simulations as long or deep as these\n");
+}
+
+TEST(Fit, ACurveThatCannotBeRankedDoesNotStopTheOthers) {
+  const Folder folder;
+  std::filesystem::create_directory(folder / "sweep");
+  writeSweep(folder / "sweep" / "sweep.h5");
+  folder.write("late.csv", "time_s,force_N\n5,1\n6,2\n");
+  folder.write("depth.csv", "depth_mm,force_N\n-1,0\n0.1,0.07\n0.55,0.16\n,3\n1.5,0.35\n");
+  const std::vector<std::string> words = {"fit", "late.csv", "depth.csv", "--sweep", "sweep"};
+  Outcome outcome = runFissure(folder, words);
+  EXPECT_EQ(outcome.code, 3);
+  for (const char* part :
+       {"late.csv: not ranked: no run reaches the measured points, ",
+        "\ndepth: 2 of 3 simulated curves compared at 3 points\n", "\nleft out 1 row without numbers\n",
+        "\nleft out 1 row before contact (depth < 0)\n"})
+    EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  std::vector<std::string> more = words;
+  more.emplace_back("--json");
+  outcome = runFissure(folder, more);
+  EXPECT_EQ(outcome.code, 3);
+  const Json json = Json::parse(outcome.out);
+  EXPECT_EQ(json["exit_code"], 3);
+  EXPECT_TRUE(json["curves"][0].contains("problem"));
+  EXPECT_EQ(json["curves"][1]["file"], "depth.csv");
+  EXPECT_EQ(json["curves"][1]["notes"].size(), 2u);
 }
 
 }  // namespace

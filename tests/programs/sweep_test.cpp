@@ -140,13 +140,21 @@ TEST(Sweep, RunsAreHeldAgainstAMeasuredCurve) {
                                  "fit: {curve: measured.csv, match: time, free_offset: false}\n"));
   folder.write("measured.csv", "time_s,force_N\n");
   EXPECT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 2);
+  folder.write("measured.csv", "time_s,force_N\n0.01,1\n5,2\n");
+  const Outcome late = runFissure(folder, {"sweep", "s.yaml", "-o", "late"});
+  EXPECT_EQ(late.code, 0);
+  EXPECT_NE(late.err.find("no run reaches all points of measured.csv, misfit_N is empty: "),
+            std::string::npos)
+      << late.err;
   ASSERT_EQ(runFissure(folder, {"run", "press.yaml", "-o", "one.h5"}).code, 0);  // k = 200
   std::string measured = "time_s,force_N\n";
   const std::vector<double> force_N = forceCurve(folder / "one.h5", "fukuhara", {0.01, 0.02, 0.03});
   for (int i = 0; i < 3; ++i)
     measured += std::to_string(0.01 * (i + 1)) + "," + std::to_string(force_N[i]) + "\n";
   folder.write("measured.csv", measured);
-  ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
+  const Outcome swept = runFissure(folder, {"sweep", "s.yaml", "-o", "out"});
+  ASSERT_EQ(swept.code, 0);
+  EXPECT_EQ(swept.err.find("no run reaches"), std::string::npos) << swept.err;
   fs::remove(folder / "measured.csv");  // the plan has it
   ASSERT_EQ(runFissure(folder, {"sweep", "merge", "out"}).code, 0);
   const SweepTable table(folder / "out/sweep.h5");

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "study/depth_rates.h"
 #include "study/law_fit.h"
 
 namespace fissure {
@@ -81,8 +82,10 @@ TEST(SimulatedModel, MeetsMeasuredDepthsOnTheWayIn) {
   curve.depth_m[3] = 0.003;  // deeper than the simulation gets
   const SimulatedFit made = makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::depth);
   ASSERT_EQ(made.curve.force_N.size(), curve.force_N.size() - 1);
-  ASSERT_EQ(made.curve.warnings.size(), 1u);
+  ASSERT_EQ(made.curve.warnings.size(), 2u);
   EXPECT_EQ(made.curve.warnings[0], "left out 1 of 89 points that the simulation does not reach");
+  EXPECT_TRUE(made.curve.warnings[1].starts_with("43 of 88 points are shallower than one before them"))
+      << made.curve.warnings[1];
   std::vector<double> forces_N(made.model->size());
   made.model->evaluate({.k = kLaw.k, .lambda = kLaw.lambda, .n = kLaw.n}, forces_N);
   // The last point is on the way out, at a depth of nearly 0; the way in has a rate above 0 there.
@@ -91,6 +94,35 @@ TEST(SimulatedModel, MeetsMeasuredDepthsOnTheWayIn) {
   const double depth_m = made.curve.depth_m[out];
   const double rate_m_s = 2 * std::sqrt(depth_m * (0.002 - depth_m)) * std::numbers::pi / 0.09;
   EXPECT_NEAR(forces_N[out], force_N(kLaw, depth_m, rate_m_s), 1e-2 * forces_N[out]);
+}
+
+TEST(SimulatedModel, DepthsWithoutRatesSayNothingOfLambda) {
+  const SimulatedRun run = press();
+  MeasuredCurve curve = measured(run, kLaw);
+  curve.time_s.clear();
+  const SimulatedFit made = makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::depth);
+  const LawFit fit = fitLaw(*made.model, made.curve.force_N, made.curve.weights, kAllFree);
+  EXPECT_EQ(fit.of(FitParameter::lambda).problem, "there is no rate of the depth in it; it is fixed at 0");
+  EXPECT_EQ(made.rate_note, "");
+  curve = measured(run, kLaw);
+  EXPECT_GT(makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::time).model->rateScale_m_s(), 0);
+}
+
+TEST(SimulatedModel, SaysWhereMeasuredAndSimulatedRatesDiffer) {
+  const SimulatedRun run = press();
+  MeasuredCurve curve = measured(run, kLaw);
+  const auto note = [&](double slower, double noise_m_s) {
+    MeasuredCurve slow = curve;
+    for (double& time_s : slow.time_s) time_s *= slower;
+    slow.rate_m_s = ratesOf(slow.time_s, slow.depth_m);
+    slow.rate_noise_m_s.assign(slow.rate_m_s.size(), noise_m_s);
+    return makeSimulatedFit(FitLaw::hunt_crossley, run, slow, MatchBy::depth).rate_note;
+  };
+  EXPECT_EQ(note(1, 0), "");
+  EXPECT_EQ(note(1.8, 0), "");
+  EXPECT_TRUE(note(20, 0).starts_with("typical rates are 0.002")) << note(20, 0);
+  EXPECT_NE(note(0.3, 0), "");
+  EXPECT_TRUE(note(1, 0.1).starts_with("typical rates are 0 m/s in the curve and 0.0")) << note(1, 0.1);
 }
 
 TEST(SimulatedModel, InterpolatesBetweenSteps) {

@@ -55,5 +55,17 @@ TEST_F(MisfitTest, ACurveThatCannotBeMatchedIsRefused) {
   EXPECT_THROW(SweepMisfit({"", "depth=nothing:mm", MatchBy::depth, {}, true}, {"a"}, file_), InputError);
 }
 
+TEST_F(MisfitTest, AFileOfSeveralCurvesIsRefused) {
+  measured("probe,depth_mm,force_N\nx,0.5,1\ny,0.5,2\nx,1.5,3\n");
+  try {
+    SweepMisfit({"", {}, MatchBy::depth, {}, true}, {"a"}, file_);
+    FAIL() << "nothing";
+  } catch (const InputError& error) {
+    const std::string stem = file_.stem().string();
+    EXPECT_EQ(error.what(), file_.string() + ": has 2 curves (" + stem + ":x, " + stem +
+                                ":y), expected one to hold the runs against");
+  }
+}
+
 }  // namespace
 }  // namespace fissure
