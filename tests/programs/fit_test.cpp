@@ -173,6 +173,25 @@ TEST(Fit, ASimulationWithoutInputsOfItsLawsIsRefused) {
             "true}\n");
 }
 
+TEST(Fit, RatesThatDifferFromTheSimulatedOnesAreSaid) {
+  const Folder folder;
+  runPress(folder, "record: {force_inputs: true}\n");
+  std::string curve = "time_s,depth_mm,force_N\n";
+  for (int i = 0; i < 20; ++i)  // the press takes 0.03 s
+    curve += std::to_string(i) + "," + std::to_string(0.05 * i) + "," + std::to_string(0.001 * i * i) + "\n";
+  folder.write("slow.csv", curve);
+  const std::string note = "m/s in the simulation, whose count";
+  const auto said = [&](const std::string& fixed) {
+    const Outcome outcome =
+        runFissure(folder, {"fit", "slow.csv", "--result", "press.h5", "--fix", "n=1.3", "--fix", fixed});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    return outcome.out.find(note) != std::string::npos;
+  };
+  EXPECT_TRUE(said("F0=0"));
+  EXPECT_TRUE(said("lambda=1"));
+  EXPECT_FALSE(said("lambda=0"));
+}
+
 /// A sweep of three runs whose force is k times the way of the tool, 10 mm/s for 0.2 s; the last ends early.
 void writeSweep(const std::filesystem::path& path) {
   SweepTableLayout layout;
