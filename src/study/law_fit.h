@@ -60,6 +60,10 @@ struct LawFit {
 /// fixed at 0 and the rest fitted again. A note says where that interval leaves out 0, but is wider than half
 /// the value to either side, and where it lies below 0.
 ///
+/// Also said: where a constant force fits as well, if F0 is free (F test, 5 %); where an interval of n
+/// reaches a limit; and where residuals of neighbouring points correlate by more than 0.2 and than chance
+/// would have it once in a hundred times (2.33 / sqrt(points), from 20 points on).
+///
 /// Throws InputError, one line without a file, where nothing can be fitted: too few points, one force, one
 /// depth, no free coefficient.
 LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<const double> weights,
