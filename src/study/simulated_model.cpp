@@ -136,6 +136,7 @@ std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run, const 
       simulated_m_s.push_back((run.way_m[after] - run.way_m[place.before]) /
                               (run.inputs.times_s[after] - run.inputs.times_s[place.before]));
   }
+  if (simulated_m_s.empty()) return "";
   const double measured_m2_s2 = meanSquare(curve.rate_m_s) - meanSquare(curve.rate_noise_m_s);
   const double measured = std::sqrt(std::max(0.0, measured_m2_s2)),
                simulated = std::sqrt(meanSquare(simulated_m_s));

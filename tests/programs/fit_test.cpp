@@ -262,6 +262,10 @@ TEST(Fit, ACurveThatCannotBeRankedDoesNotStopTheOthers) {
         "\ndepth: 2 of 3 simulated curves compared at 3 points\n", "\nleft out 1 row without numbers\n",
         "\nleft out 1 row before contact (depth < 0)\n"})
     EXPECT_NE(outcome.out.find(part), std::string::npos) << part << "\n" << outcome.out;
+  folder.write("back.csv", "time_s,depth_mm,force_N\n0,0.1,0.02\n1,1.5,0.3\n2,0.55,0.1\n");
+  EXPECT_NE(
+      runFissure(folder, {"fit", "back.csv", "--sweep", "sweep"}).out.find("\n1 of 3 points are shallower"),
+      std::string::npos);
   std::vector<std::string> more = words;
   more.emplace_back("--json");
   outcome = runFissure(folder, more);
