@@ -13,6 +13,7 @@ extern const std::string_view page_js;
 extern const std::string_view sweep_css;
 extern const std::string_view sweep_data_js;
 extern const std::string_view sweep_maps_js;
+extern const std::string_view sweep_marks_js;
 extern const std::string_view sweep_parallel_js;
 extern const std::string_view sweep_curves_js;
 extern const std::string_view sweep_js;

@@ -82,7 +82,7 @@ std::string pageText(const PageJson& data) {
   const bool sweep = data.value("kind", "") == "sweep";
   const std::string style = joined({assets::page_css, sweep ? assets::sweep_css : ""});
   const std::string scripts =
-      sweep ? joined({assets::shared_js, assets::sweep_data_js, assets::sweep_maps_js,
+      sweep ? joined({assets::shared_js, assets::sweep_data_js, assets::sweep_marks_js, assets::sweep_maps_js,
                       assets::sweep_parallel_js, assets::sweep_curves_js, assets::sweep_js})
             : joined({assets::shared_js, assets::plots_js, assets::page_js});
   return filledIn(assets::index_html, {{"title", shown_title},

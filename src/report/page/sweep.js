@@ -2,7 +2,8 @@
 
 const state_of_page = {bound_mm: 0.5};
 const DESIGNS = {grid: data.whole_grid ? 'a grid: every value of each axis with every value of the others'
-  : 'a grid without some combinations of its values: axes go together, or points are excluded', random: 'random points',
+  : 'a grid without some combinations of its values: axes go together, or points are excluded',
+  random: 'random points',
   latin_hypercube: 'a Latin hypercube: points spread evenly along each axis',
     sobol: 'Sobol points: spread evenly over all axes'};
 
@@ -151,8 +152,8 @@ function rangeOf(axis, where) {
 
 function placeOf(where) {
   const axis = sweepAxes.find(one => one.name === where.axis);
-  const range = axis.text ? ' = ' + where.values.join(' or ') + (where.more ? ' or one of ' + where.more + ' more' : '')
-    : rangeOf(axis, where);
+  const more = where.more ? ' or one of ' + where.more + ' more' : '';
+  const range = axis.text ? ' = ' + where.values.join(' or ') + more : rangeOf(axis, where);
   return axis.label + range + ' (' + percent(where.share, 1) + ' of all runs are there)';
 }
 

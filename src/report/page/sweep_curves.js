@@ -36,11 +36,11 @@ const isForce = track => track.unit === 'N' && data.curves.measured.length > 0;
 const hasBand = track => track.bands.some(band => band.median.some(v => v !== null));
 const hasOwn = (track, run) => curves.rows.has(run) && Number.isFinite(track.lows[curves.rows.get(run)]);
 
-// Which single runs are drawn: the pinned one, then chosen ones in their order, where not all are chosen or there is
-// nothing else to see.
+// Which single runs are drawn: the pinned one, then chosen ones in their order, where not all are chosen or there
+// is nothing else to see.
 function singleRuns(track) {
-  const some = !hasBand(track) ? Array.from(curves.kept).filter(run => chosen.inside[run] && hasOwn(track, run))
-    : chosen.count < RUNS ? Array.from(curves.kept).filter(run => chosen.inside[run]) : [];
+  const inside = Array.from(curves.kept).filter(run => chosen.inside[run]);
+  const some = !hasBand(track) ? inside.filter(run => hasOwn(track, run)) : chosen.count < RUNS ? inside : [];
   const shown = some.slice(0, MOST_LINES).filter(run => run !== chosen.pinned);
   if (chosen.pinned !== null && curves.rows.has(chosen.pinned)) shown.push(chosen.pinned);
   return {shown, of: some.length};
@@ -110,8 +110,11 @@ function noteOnSingles(track, of, shown) {
   const pinned = chosen.pinned === null ? '' : curves.rows.has(chosen.pinned)
     ? ' Black: run ' + numberOf(chosen.pinned) + '.' : ' The curve of run ' + numberOf(chosen.pinned) +
       ' is not among them.';
-  if (!hasBand(track)) return (noneGood() ?? 'No good run has this curve') + '. ' + (of ? 'Thin: ' + shown.length + ' of ' + of +
-    ' runs, as far as they came.' : 'No run has this curve.') + pinned;
+  if (!hasBand(track)) {
+    const own = of ? 'Thin: ' + Math.min(of, MOST_LINES) + ' of ' + of + ' runs, as far as they came.'
+      : 'None of the chosen runs has this curve.';
+    return (noneGood() ?? 'No good run has this curve') + '. ' + own + held + pinned;
+  }
   if (chosen.count === RUNS) return 'Choose runs above to see their own curves.' + held + pinned;
   const singles = shown.filter(run => run !== chosen.pinned).length;
   return 'Thin: ' + singles + (of > singles ? ' of ' + of : '') + ' chosen runs.' + held + pinned;
@@ -129,7 +132,8 @@ function curveSection() {
   if (!data.curves) return;
   openTracks();
   if (!data.curves.tracks.some(track => hasBand(track) || allRuns.some(run => hasOwn(track, run)))) {
-    section('Curves', element('p', {}, (noneGood() ?? 'No run has a curve') + ', so there is nothing to draw.'));
+    section('Curves', element('p', {},
+      (noneGood() ?? 'No run has a curve') + ', so there is nothing to draw.'));
     return;
   }
   const tracks = data.curves.tracks, names = [...new Set(tracks.map(track => track.curve))];

@@ -30,8 +30,8 @@ const endOf = Uint8Array.from({length: RUNS}, (none, run) => ({ok: GOOD, missing
 const allRuns = Array.from({length: RUNS}, (none, run) => run);
 
 // Shown unit and the factor to it.
-const UNITS = {m: ['mm', 1000], 'm s-1': ['m/s', 1], 'm s-2': ['m/s²', 1], 'N m-1': ['N/m', 1], 'N s m-1': ['N s/m', 1],
-  'kg m-3': ['kg/m³', 1], degree: ['°', 1], pixel: ['px', 1], us: ['µs', 1], 1: ['', 1]};
+const UNITS = {m: ['mm', 1000], 'm s-1': ['m/s', 1], 'm s-2': ['m/s²', 1], 'N m-1': ['N/m', 1],
+  'N s m-1': ['N s/m', 1], 'kg m-3': ['kg/m³', 1], degree: ['°', 1], pixel: ['px', 1], us: ['µs', 1], 1: ['', 1]};
 const inWords = name => (name.startsWith('timing/') ? name.slice(7) : name).replaceAll('_', ' ');
 
 // Texts without the words that all of them begin with.
@@ -90,7 +90,8 @@ const metricNamed = name => metrics.find(metric => metric.name === name);
 function scaleOf(column, log = column.log) {
   if (column.text) {
     const count = column.levels.length;
-    return {at: v => (v + 0.5) / count, marks: () => (column.told ?? column.levels).map((text, i) => [(i + 0.5) / count, text])};
+    const texts = column.told ?? column.levels;
+    return {at: v => (v + 0.5) / count, marks: () => texts.map((text, i) => [(i + 0.5) / count, text])};
   }
   let {min, max} = column;
   const useLog = log && max > 0;

@@ -3,7 +3,6 @@
 const maps = {x: null, y: null, metric: null, reduce: 1, fixed: new Map(), log: null, logNow: false, panels: [],
   readout: null, bar: null, barTitle: null};
 const REDUCTIONS = ['smallest', 'median', 'largest'];
-const MARGIN = {left: 62, right: 10, top: 6, bottom: 42};
 
 // Cells need few values along both axes; everything else is drawn as points.
 const drawsCells = () => maps.y !== null && maps.x.levels !== null && maps.y.levels !== null && data.design === 'grid';
@@ -17,7 +16,8 @@ function reduced(runs) {
   return sorted.length ? sorted[[0, (sorted.length - 1) >> 1, sorted.length - 1][maps.reduce]] : null;
 }
 
-// The cells of a panel: their runs, the run whose value is drawn (null where none has one), and the one that is read out.
+// The cells of a panel: their runs, the run whose value is drawn (null where none has one), and the one that is
+// read out.
 function cellsOf(pipeline) {
   const cells = new Map(), wide = maps.y.levels.length;
   for (let run = 0; run < RUNS; ++run) {
@@ -35,30 +35,6 @@ function cellsOf(pipeline) {
     cell.pinned = cell.all.includes(chosen.pinned);
   }
   return cells;
-}
-
-function hatch(context, x, y, width, height) {
-  context.save();
-  context.beginPath();
-  context.rect(x, y, width, height);
-  context.clip();
-  context.strokeStyle = '#9aa4ae';
-  context.lineWidth = 1;
-  context.beginPath();
-  for (let at = -height; at < width; at += 6) {
-    context.moveTo(x + at, y + height);
-    context.lineTo(x + at + height, y);
-  }
-  context.stroke();
-  context.restore();
-}
-
-function openCircle(context, x, y, size) {
-  context.strokeStyle = '#6e7781';
-  context.lineWidth = 1.2;
-  context.beginPath();
-  context.arc(x, y, size, 0, 2 * Math.PI);
-  context.stroke();
 }
 
 function drawCell(context, cell, box, colour) {
@@ -92,68 +68,6 @@ function drawCell(context, cell, box, colour) {
   }
 }
 
-// Every mark, every second one ... so that none lies on its neighbour.
-function fitting(marks, long, room) {
-  for (let skip = 1; skip < marks.length; ++skip) {
-    const some = marks.filter((mark, i) => i % skip === 0);
-    const clear = ([at, text], i) => i === 0 ||
-      Math.abs(at - some[i - 1][0]) * long >= (room(text) + room(some[i - 1][1])) / 2;
-    if (some.every(clear)) return some;
-  }
-  return marks.slice(0, 1);
-}
-
-// Texts are cut off where they would lie on their neighbours; the whole is their title.
-function textLabel(axis, index, text, place) {
-  const label = element('span', {class: 'label', title: axis.levels[index]}, text);
-  for (const [name, size] of Object.entries(place)) label.style[name] = size + 'px';
-  return label;
-}
-
-function labelsAcross(context, marks, inner, height) {
-  const longest = Math.max(...marks.map(([at, text]) => context.measureText(text).width)) + 8;
-  const skip = Math.ceil((longest <= 64 ? longest : 44) * marks.length / inner.width);
-  const width = skip * inner.width / marks.length - 4, last = MARGIN.left + inner.width + MARGIN.right - width;
-  return marks.flatMap(([at, text], i) => i % skip ? [] : [textLabel(maps.x, i, text,
-    {left: Math.min(last, MARGIN.left + at * inner.width - width / 2), top: height - MARGIN.bottom + 3, width})]);
-}
-
-function labelsUpwards(marks, inner) {
-  const skip = Math.ceil(14 * marks.length / inner.height);
-  return marks.flatMap(([at, text], i) => i % skip ? [] : [textLabel(maps.y, i, text,
-    {left: 16, top: MARGIN.top + (1 - at) * inner.height - 8, width: MARGIN.left - 20})]);
-}
-
-// Labels along an axis of cells or of points.
-function drawAxes(panel, context, width, height, xMarks, yMarks) {
-  const inner = {width: width - MARGIN.left - MARGIN.right, height: height - MARGIN.top - MARGIN.bottom};
-  panel.labels.replaceChildren(...(maps.x.text ? labelsAcross(context, xMarks, inner, height) : []),
-    ...(maps.y && maps.y.text ? labelsUpwards(yMarks, inner) : []));
-  context.fillStyle = INK;
-  context.textAlign = 'center';
-  context.textBaseline = 'top';
-  for (const [at, text] of fitting(maps.x.text ? [] : xMarks, inner.width, text => context.measureText(text).width + 7)) {
-    const half = context.measureText(text).width / 2;
-    context.fillText(text, Math.min(MARGIN.left + at * inner.width, width - half), height - MARGIN.bottom + 5);
-  }
-  context.fillText(axisTitle(maps.x), MARGIN.left + inner.width / 2, height - 17, inner.width);
-  context.textAlign = 'right';
-  context.textBaseline = 'middle';
-  for (const [at, text] of fitting(maps.y && maps.y.text ? [] : yMarks, inner.height, () => 14))
-    context.fillText(text, MARGIN.left - 5, MARGIN.top + (1 - at) * inner.height, MARGIN.left - 20);
-  context.save();
-  context.translate(8, MARGIN.top + inner.height / 2);
-  context.rotate(-Math.PI / 2);
-  context.textAlign = 'center';
-  context.fillText(axisTitle(maps.y ?? maps.metric), 0, 0, inner.height + 30);
-  context.restore();
-  context.strokeStyle = '#9aa4ae';
-  context.lineWidth = 1;
-  context.strokeRect(MARGIN.left - 0.5, MARGIN.top - 0.5, inner.width + 1, inner.height + 1);
-}
-
-const axisTitle = column => column.title + (column.log && (column.isAxis || maps.y === null) ? ' (logarithmic)' : '');
-
 // Colours from the smallest to the largest value that is drawn, the same in all panels.
 function colourScale() {
   const drawn = drawsCells()
@@ -174,7 +88,8 @@ function drawCells(panel, context, width, height, colour) {
     width: cell.width + 0.5, height: cell.height + 0.5});
   for (const one of panel.cells.values()) if (!one.pinned) drawCell(context, one, panel.boxOf(one), colour);
   for (const one of panel.cells.values()) if (one.pinned) drawCell(context, one, panel.boxOf(one), colour);
-  const marks = axis => axis.levels.map((v, i) => [(i + 0.5) / axis.levels.length, axis.text ? axis.told[i] : short(v)]);
+  const marks = axis => (axis.told ?? axis.levels.map(short)).map((text, i) =>
+    [(i + 0.5) / axis.levels.length, text]);
   drawAxes(panel, context, width, height, marks(maps.x), marks(maps.y));
 }
 
@@ -261,7 +176,8 @@ function drawColourBar(colour) {
 function spokenRun(run) {
   const values = varying.map(axis => axis.label + ' ' + axis.show(axis.values[run])).join(', ');
   const value = maps.metric.values[run];
-  const end = endOf[run] === GOOD ? Number.isNaN(value) ? 'no ' + maps.metric.label : maps.metric.label + ' ' + maps.metric.show(value)
+  const good = () => Number.isNaN(value) ? 'no ' + maps.metric.label : maps.metric.label + ' ' + maps.metric.show(value);
+  const end = endOf[run] === GOOD ? good()
     : endOf[run] === MISSING ? 'not run' : statusOf(run) + (detailOf(run) ? ': ' + detailOf(run) : '');
   return pipelines[pipelineOf[run]] + ', ' + values + ': ' + end +
     ' · run ' + numberOf(run) + ', point ' + points[run] + (fileOf(run) ? ', ' + fileOf(run) : '');
@@ -271,8 +187,8 @@ function spokenCell(cell) {
   const standing = cell.run === null ? 'one' : 'the ' + REDUCTIONS[maps.reduce];
   const counted = [[cell.good, 'good'], [cell.bad, 'failed'], [cell.missing, 'not run']].filter(([runs]) => runs.length)
     .map(([runs, word]) => runs.length + ' ' + word).join(', ');
-  return spokenRun(cell.spoken) + (cell.all.length > 1 ? ' · ' + standing + ' of ' + cell.all.length + ' runs (' +
-    counted + ')' : '');
+  return spokenRun(cell.spoken) + (cell.all.length > 1 ? ' · ' + standing + ' of ' + cell.all.length +
+    ' runs (' + counted + ')' : '');
 }
 
 function found(panel, x, y) {
@@ -385,7 +301,8 @@ function mapLegend() {
 function mapSection() {
   if (varying.length === 0) return;
   if (metrics.length === 0) {
-    section('Maps over the axes', element('p', {}, (noneGood() ?? 'No run has a number in its summary') + ', so there is nothing to draw.'));
+    section('Maps over the axes', element('p', {},
+      (noneGood() ?? 'No run has a number in its summary') + ', so there is nothing to draw.'));
     return;
   }
   [maps.x, maps.y] = [varying[0], varying[1] ?? null];
