@@ -282,6 +282,15 @@ def check_failed_page(driver, page, width, keep):
         driver.save_screenshot(str(pathlib.Path(keep) / f"{page.stem}_{width}.png"))
 
 
+def check_lost_page(driver, page, width):
+    where = f"{page.name} at {width} px"
+    open_at(driver, page, width)
+    shown = sweep_shown(driver)
+    check("No run has ended well. Thin: 11 of 11 runs" in shown["note"], f"{where}: note: {shown['note']}")
+    check(shown["curves"] and shown["curves"][0][0] > 5000, f"{where}: curves empty: {shown['curves']}")
+    check_width_and_console(driver, where)
+
+
 def check_sweep_page(driver, page, width, keep):
     where = f"{page.name} at {width} px"
     open_at(driver, page, width)
@@ -300,7 +309,7 @@ def check_sweep_page(driver, page, width, keep):
 
 
 def make_sweeps(program, make_sweep, folder):
-    for design, runs in (("grid", "378"), ("sobol", "240"), ("failed", "12")):
+    for design, runs in (("grid", "378"), ("sobol", "240"), ("failed", "12"), ("lost", "12")):
         subprocess.run([make_sweep, f"{design}.h5", design, runs], cwd=folder, check=True)
         subprocess.run([program, "report", f"{design}.h5"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
@@ -333,6 +342,7 @@ def main():
                 for design in ("grid", "sobol"):
                     check_sweep_page(driver, folder / f"{design}.html", width, arguments.keep)
                 check_failed_page(driver, folder / "failed.html", width, arguments.keep)
+                check_lost_page(driver, folder / "lost.html", width)
         finally:
             driver.quit()
     for problem in problems:

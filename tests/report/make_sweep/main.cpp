@@ -1,5 +1,6 @@
-// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol|line|failed RUNS; a line
-// has one axis, one pipeline and no curves; of failed ones all runs have failed
+// Writes a made-up sweep's table for looking at its page: make_sweep FILE grid|sobol|line|failed|lost RUNS;
+// a line has one axis, one pipeline and no curves; failed and lost are grids whose runs have all failed, at
+// once or after all of their curves
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -129,11 +130,12 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
 
 int main(int count, char** words) {
   if (count != 4) {
-    std::cerr << "usage: make_sweep FILE grid|sobol|line|failed RUNS\n";
+    std::cerr << "usage: make_sweep FILE grid|sobol|line|failed|lost RUNS\n";
     return 2;
   }
   const bool failed = std::string(words[2]) == "failed";
-  const bool grid = failed || std::string(words[2]) == "grid";
+  const bool lost = std::string(words[2]) == "lost";
+  const bool grid = failed || lost || std::string(words[2]) == "grid";
   const SweepTableLayout layout = layoutOf(grid, static_cast<std::size_t>(std::atoi(words[3])));
   SweepTableLayout written = layout;
   const bool line = std::string(words[2]) == "line";
@@ -145,8 +147,8 @@ int main(int count, char** words) {
   SweepTableWriter writer(words[1], written);
   for (std::size_t run = 0; run < layout.runs; ++run) {
     SweepRun row = runOf(layout, line ? 3 * run : run, grid);
+    if (failed || lost) row.status = "failed";
     if (failed) {
-      row.status = "failed";
       row.detail = "before its first step";
       std::fill(row.metrics.begin(), row.metrics.end(), missing);
       std::fill(row.curves.begin(), row.curves.end(), missing);
