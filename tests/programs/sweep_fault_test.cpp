@@ -100,8 +100,10 @@ TEST_F(Disturbed, ASweepThatRunsTwiceAtOnceIsStillRight) {
   makeTruth();
   Program one(folder_, {fissureProgram(), "sweep", "s.yaml", "-o", "out"});
   Program two(folder_, {fissureProgram(), "sweep", "s.yaml", "-o", "out"});
-  EXPECT_EQ(one.wait().code, 0);
-  EXPECT_EQ(two.wait().code, 0);
+  for (Program* program : {&one, &two}) {
+    const Outcome outcome = program->wait();
+    EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  }
   expectTruth("out");
 }
 
