@@ -199,6 +199,7 @@ void SweepSession::finished(std::size_t task, const RunStatus& status) {
     journal_.sync(sync_every_s);
     const bool ok = record.status.status == "ok";
     ++(ok ? counts_.ok : counts_.failed);
+    if (record.finished() || task < settings_.untried) ++counts_.advanced;
     if (!ok && first_failure_.empty())
       first_failure_ = record.task + ": " + record.status.status +
                        (record.status.detail.empty() ? "" : " (" + record.status.detail + ")");

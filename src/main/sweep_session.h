@@ -28,6 +28,7 @@ struct SessionCounts {
   std::size_t ok = 0;
   std::size_t failed = 0;       ///< anything but status ok
   std::size_t interrupted = 0;  ///< stopped or not started
+  std::size_t advanced = 0;  ///< tried for the first time or finished: as long as there are such it goes on
 };
 
 /// Simulates tasks of a sweep and records each as soon as it has ended, in a journal of its own. It may run
@@ -36,7 +37,8 @@ class SweepSession : private PoolObserver {
  public:
   struct Settings {
     int slots = 1;
-    bool fail_fast = false;  ///< stop at the first that failed
+    std::size_t untried = 0;  ///< so many of the tasks, the first ones, have no record yet
+    bool fail_fast = false;   ///< stop at the first that failed
     std::string command_line;
   };
   /// `tasks`: of the plan, to be run in this order. What the arguments refer to must outlive the session.

@@ -1,5 +1,6 @@
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <memory>
@@ -210,8 +211,11 @@ int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::
 }
 
 nlohmann::ordered_json sessionJson(const SessionCounts& counts, int code) {
-  return {
-      {"exit_code", code}, {"ok", counts.ok}, {"failed", counts.failed}, {"interrupted", counts.interrupted}};
+  return {{"exit_code", code},
+          {"ok", counts.ok},
+          {"failed", counts.failed},
+          {"interrupted", counts.interrupted},
+          {"advanced", counts.advanced}};
 }
 
 int finishShard(const SweepOptions& options, const SessionCounts& counts, std::ostream& out) {
@@ -252,14 +256,17 @@ std::optional<SlurmSubmission> submissionOf(const SweepOptions& options, const f
 }
 
 /// Runs tasks; then the tables, unless that is the business of a merge.
-int simulate(const SweepPlan& plan, const fs::path& folder, std::vector<std::size_t> tasks, int slots,
+int simulate(const SweepState& state, const fs::path& folder, std::vector<std::size_t> tasks, int slots,
              const SweepOptions& options, std::unique_ptr<Interrupt> interrupt) {
+  const SweepPlan& plan = state.plan();
   ProgressDisplay display(std::cerr, STDERR_FILENO);
   SessionCounts counts;
   std::string failure;
   if (!tasks.empty()) {
-    SweepSession session(plan, folder, std::move(tasks), {slots, options.fail_fast, options.command_line},
-                         display);
+    const auto untried = static_cast<std::size_t>(
+        std::count_if(tasks.begin(), tasks.end(), [&](std::size_t task) { return !state.task(task).place; }));
+    SweepSession session(plan, folder, std::move(tasks),
+                         {slots, untried, options.fail_fast, options.command_line}, display);
     session.run(*interrupt);
     counts = session.counts();
     failure = session.firstFailure();
@@ -310,7 +317,7 @@ int runSweep(const SweepOptions& options) {
     return exit_good;
   }
 
-  return simulate(plan, folder, std::move(tasks), slots, options, std::move(interrupt));
+  return simulate(state, folder, std::move(tasks), slots, options, std::move(interrupt));
 }
 
 struct FolderOptions {

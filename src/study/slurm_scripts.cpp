@@ -123,10 +123,11 @@ trap 'kill -TERM "$session"' TERM
 while kill -0 "$session" 2> /dev/null; do wait "$session"; done
 wait "$session"
 code=$?
-progress=$(grep '"ok": [1-9]' "$said")
+progress=$(grep '"advanced": [1-9]' "$said")
 rm -f "$said"
 
-# Then this task queues again for the rest, unless it got nothing done: it would not the next time either.
+# Then this task queues again for the rest, unless it finished no simulation and tried none for the first time:
+# it would not the next time either.
 if [[ $time_is_up && $code == 130 && $progress ]]; then
   echo "time is up: back to the queue"
   scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"

@@ -1,6 +1,8 @@
 #include "study/sweep_state.h"
 
+#include <algorithm>
 #include <unordered_map>
+#include <utility>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -99,6 +101,11 @@ std::vector<std::size_t> SweepState::unfinished() const {
   std::vector<std::size_t> indices;
   for (std::size_t i = 0; i < tasks_.size(); ++i)
     if (!tasks_[i].finished) indices.push_back(i);
+  std::stable_sort(indices.begin(), indices.end(), [&](std::size_t a, std::size_t b) {
+    const Task &one = tasks_[a], &other = tasks_[b];
+    return std::pair(one.place.has_value(), one.recorded_s) <
+           std::pair(other.place.has_value(), other.recorded_s);
+  });
   return indices;
 }
 

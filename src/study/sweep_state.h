@@ -35,6 +35,7 @@ class SweepState {
     long long recorded_s = 0;
   };
   const Task& task(std::size_t index) const { return tasks_[index]; }
+  const SweepPlan& plan() const { return plan_; }
   /// Its record without the numbers, and what the numbers are, both of a task with a place. Throws RunError
   /// when it is no longer there.
   struct Head {
@@ -49,7 +50,8 @@ class SweepState {
 
   /// Makes a task missing again, because what it left is no longer there.
   void forget(std::size_t index);
-  /// Tasks without a finished record, in the plan's order; those that failed among them.
+  /// Tasks without a finished record: those that were never tried, in the plan's order, then those that
+  /// failed, the longest ago first. So slow and crashing ones keep no other from its turn.
   std::vector<std::size_t> unfinished() const;
   /// Finished records that no task of the plan asks for: of an earlier form of the sweep.
   std::size_t strangers() const { return strangers_; }

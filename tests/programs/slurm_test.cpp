@@ -269,6 +269,11 @@ class SlurmScriptTest : public SlurmTest {
     folder_.write("blades.yaml", with(with(blades, "bodies.sphere.mass_kg", "time.duration_s"),
                                       "0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.11, 0.12", durations));
     EXPECT_EQ(sweep({"blades.yaml", "-o", "d", "--engine", "slurm", "--shards", "1", "--no-submit"}).code, 0);
+    return codeOfNextTask(stop);
+  }
+  /// The same once more.
+  template <typename Stop>
+  int codeOfNextTask(const Stop& stop) {
     Program task(folder_, words("array"));
     while (!stop()) std::this_thread::sleep_for(std::chrono::milliseconds(10));
     task.send(SIGUSR1);
@@ -279,7 +284,8 @@ class SlurmScriptTest : public SlurmTest {
     long bytes = -1;
     std::error_code gone;
     for (const auto& entry : fs::directory_iterator(folder_ / "d/journals", gone))
-      if (entry.path().extension() == ".journal") bytes = static_cast<long>(entry.file_size());
+      if (entry.path().extension() == ".journal")
+        bytes = std::max(bytes, 0L) + static_cast<long>(entry.file_size());
     return bytes;
   }
 };
@@ -296,6 +302,18 @@ TEST_F(SlurmScriptTest, RunsAShardAndMergesTheRest) {
 TEST_F(SlurmScriptTest, QueuesAgainWhenItsTimeIsUpAndItGotSomethingDone) {
   EXPECT_EQ(codeOfLateTask("0.03, 10000", [&] { return journalBytes() > 0; }), 130);
   EXPECT_EQ(folder_.read("requeued"), "requeue 7_1\n");
+}
+
+TEST_F(SlurmScriptTest, QueuesAgainForWhatItTriedForTheFirstTimeAlone) {
+  const std::string limited = "1000, 10000]}\nlimits: {time_s: 0.5}\n#";
+  EXPECT_EQ(codeOfLateTask(limited, [&] { return journalBytes() > 0; }), 130);
+  EXPECT_EQ(folder_.read("requeued"), "requeue 7_1\n") << "one has failed, the other was not tried";
+  const long tried_once = journalBytes();
+  EXPECT_EQ(codeOfNextTask([&] { return journalBytes() > tried_once; }), 130);
+  EXPECT_EQ(folder_.read("requeued"), "requeue 7_1\nrequeue 7_1\n");
+  const long tried = journalBytes();
+  EXPECT_EQ(codeOfNextTask([&] { return journalBytes() > tried; }), 130);
+  EXPECT_EQ(folder_.read("requeued"), "requeue 7_1\nrequeue 7_1\n") << "it would go on for ever";
 }
 
 TEST_F(SlurmScriptTest, DoesNotQueueAgainForNothing) {

@@ -180,10 +180,23 @@ TEST(Sweep, WhatFailsIsARowAndTheOthersGoOn) {
   EXPECT_TRUE(table.complete());
   EXPECT_FALSE(std::isnan(table.numbers("max_penetration_depth_m").at(0)));
   EXPECT_TRUE(std::isnan(table.numbers("max_penetration_depth_m").at(1)));
-  // What failed is tried again, and nothing else.
-  const Outcome again = runFissure(folder, {"sweep", "out"});
+  // What failed is tried again, and nothing else; that it fails again gets nobody further.
+  const Outcome again = runFissure(folder, {"sweep", "out", "--shard", "1/1", "--json"});
   EXPECT_EQ(again.code, 3);
-  EXPECT_NE(again.out.find("to do: 1 of 2 simulations"), std::string::npos) << again.out;
+  EXPECT_NE(again.err.find("to do: 1 of 2 simulations"), std::string::npos) << again.err;
+  EXPECT_NE(again.out.find("\"failed\": 1,\n  \"interrupted\": 0,\n  \"advanced\": 0\n"), std::string::npos)
+      << again.out;
+}
+
+TEST(Sweep, SimulationsThatTakeTooLongWaitForTheOthersTheNextTime) {
+  const Folder folder;
+  folder.write("press.yaml", pressScenario());
+  folder.write("s.yaml", sweepOf("axes: [{path: time.duration_s, values: [1000, 0.01]}]\n"
+                                 "limits: {time_s: 0.3}\n"));
+  ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out", "--fail-fast"}).code, 3);
+  const Outcome next = runFissure(folder, {"sweep", "out", "--fail-fast", "--shard", "1/1"});
+  EXPECT_EQ(next.code, 3);
+  EXPECT_NE(runFissure(folder, {"sweep", "status", "out"}).out.find("1 ok, 1 timeout"), std::string::npos);
 }
 
 TEST(Sweep, StopsAtTheFirstFailureWhenAsked) {

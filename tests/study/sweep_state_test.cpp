@@ -74,6 +74,18 @@ TEST_F(StateTest, KnowsWhatIsFinishedAndReadsSingleValues) {
   EXPECT_THROW(now.numbers(1, head, head.numbers.curves_at, 4), RunError);
 }
 
+TEST_F(StateTest, WhatWasNeverTriedComesFirstAndThenTheOldestFailure) {
+  write(recordOf(0, "timeout", 0, 9));
+  write(recordOf(2, "crashed", 0, 7));
+  write(recordOf(3, "ok", 0.5, 1));
+  EXPECT_EQ(state().unfinished(), (std::vector<std::size_t>{1, 4, 5, 2, 0}));
+  write(recordOf(2, "crashed", 0, 11));
+  EXPECT_EQ(state().unfinished(), (std::vector<std::size_t>{1, 4, 5, 0, 2}));
+  SweepState lost = state();
+  lost.forget(0);  // its record says nothing any more
+  EXPECT_EQ(lost.unfinished(), (std::vector<std::size_t>{0, 1, 4, 5, 2}));
+}
+
 TEST_F(StateTest, RecordsOfOneTaskMustAgree) {
   write(recordOf(0, "ok", 0.25, 1));
   write(recordOf(0, "ok", 0.25, 2));
