@@ -112,7 +112,7 @@ std::string arrayScriptText(const ArrayScript& script) {
 )" + shardsLine(script) +
          "\nprogram=" + script.program + R"(
 
-said=$(mktemp)
+said=$(mktemp) || said=$(mktemp slurm/logs/said.XXXXXX) || said=/dev/null
 "$program" sweep . --shard "$SLURM_ARRAY_TASK_ID/$shards" -j "${SLURM_CPUS_PER_TASK:-1}" --json > "$said" &
 session=$!
 
@@ -124,7 +124,7 @@ while kill -0 "$session" 2> /dev/null; do wait "$session"; done
 wait "$session"
 code=$?
 progress=$(grep '"advanced": [1-9]' "$said")
-rm -f "$said"
+[[ $said == /dev/null ]] || rm -f "$said"
 
 # Then this task queues again for the rest, unless it finished no simulation and tried none for the first time:
 # it would not the next time either.
@@ -172,11 +172,15 @@ ArrayScript readArrayScript(const std::string& text, const fs::path& file) {
   const std::smatch about = need(about_pattern, "\"# Sweep NAME: M simulations dealt to N shards.\"");
   script.sweep = about[1];
   script.simulations = numberOf(about, 2);
-  script.throttle = need(array_pattern, "#SBATCH --array=1-N")[2];
+  const std::smatch array = need(array_pattern, "#SBATCH --array=1-N");
+  script.throttle = array[2];
   script.cpus = numberOf(need(cpus_pattern, "#SBATCH --cpus-per-task=N"), 1);
   script.shards = numberOf(need(shards_pattern, "shards=N"), 1);
   script.program = need(program_pattern, "program='...'")[1];
   if (script.shards == 0) throw InputError(file.string() + ": shards=0, expected at least 1");
+  if (numberOf(array, 1) != script.shards)
+    throw InputError(file.string() + ": --array=1-" + array[1].str() + " with " + shardsLine(script) +
+                     ", expected the same number in both; to change it, --shards N");
   return script;
 }
 

@@ -39,6 +39,11 @@ TEST(SlurmScripts, AreRefusedWithoutALineThatIsNeeded) {
                            "# Sweep blades: 24 simulations"}) {
     EXPECT_THROW(readArrayScript(without(arrayScriptText(script), line), "f"), InputError) << line;
   }
+  EXPECT_THROW(readArrayScript(arrayScriptText(script).replace(arrayScriptText(script).find("--array=1-4%"),
+                                                               12, "--array=1-9%"),
+                               "f"),
+               InputError)
+      << "other tasks than shards";
   ArrayScript none = script;
   none.shards = 0;
   EXPECT_THROW(readArrayScript(arrayScriptText(none), "f"), InputError);
