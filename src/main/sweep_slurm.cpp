@@ -1,6 +1,7 @@
 #include "main/sweep_slurm.h"
 
 #include <cmath>
+#include <cstdlib>
 #include <ostream>
 #include <set>
 
@@ -9,6 +10,7 @@
 #include "scenario/scalars.h"
 #include "scenario/text_file.h"
 #include "store/temporary_file.h"
+#include "study/sbatch_options.h"
 
 namespace fissure {
 
@@ -55,17 +57,6 @@ std::string words(const std::vector<std::string>& arguments) {
   return text;
 }
 
-void refuseOwnOptions(const std::vector<std::string>& sbatch) {
-  if (!sbatch.empty() && !sbatch.front().starts_with('-'))
-    throw InputError("sweep: " + sbatch.front() + " was not expected; options of sbatch come after --");
-  for (const std::string& word : sbatch)
-    if (word == "-a" || word == "--array" || word.starts_with("--array="))
-      throw InputError(
-          "-- " + word +
-          ": the array is chosen here, expected --shards; for eight tasks at a time append %8 to "
-          "--array in slurm/array.sbatch");
-}
-
 }  // namespace
 
 void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
@@ -101,15 +92,18 @@ void refuseSlurmOptions(const SlurmOptions& options) {
 
 SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::optional<int> slots)
     : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
-  refuseOwnOptions(options_.sbatch);
+  if (!options_.sbatch.empty() && !options_.sbatch.front().starts_with('-'))
+    throw InputError("sweep: " + options_.sbatch.front() +
+                     " was not expected; options of sbatch come after --");
+  refuseUnfitOptions(options_.sbatch);
   if (fs::absolute(folder_).string().find_first_of("%\\") != std::string::npos)
     throw InputError(
         fs::absolute(folder_).string() +
         ": Slurm takes % and \\ in the names of its logs as patterns, expected a folder without");
   requireSlurm();
   limits_ = slurmLimits();
-  queued_ = queuedJobs(recordedJobs(folder_));
-  if (!queued_.empty() && !options_.again && !options_.no_submit && !options_.dry_run)
+  if (!options_.no_submit && !options_.dry_run) queued_ = queuedJobs(recordedJobs(folder_));
+  if (!queued_.empty() && !options_.again)
     throw InputError(folder_.string() + ": jobs of this sweep are queued, " + describe(queued_) +
                      "; expected their end, or --again");
   std::error_code ignored;
@@ -146,8 +140,13 @@ ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, co
                                            (60 * options_.shard_minutes.value_or(default_shard_minutes)))
                                : static_cast<double>(tasks);
     const std::size_t wished = std::min(tasks, static_cast<std::size_t>(std::max(1.0, by_time)));
-    shards = std::max<std::size_t>(1, std::min(wished, most));
-    if (wished > most) out << "slurm: " << wished << " shards would be right, " << here << "\n";
+    const std::optional<std::size_t> jobs = wished > 1 ? submitLimit() : std::nullopt;
+    const std::size_t may = jobs ? std::max<std::size_t>(*jobs, 2) - 1 : most;
+    shards = std::max<std::size_t>(1, std::min({wished, most, may}));
+    if (shards < wished)
+      out << "slurm: " << wished << " shards would be right, "
+          << (may < most ? "you may have " + std::to_string(may) + " beside the merge (MaxSubmitJobs)" : here)
+          << "\n";
   }
   return {plan.manifest().settings.name,    all,           shards,
           static_cast<std::size_t>(slots_), thisProgram(), array_ ? array_->throttle : ""};
@@ -185,41 +184,52 @@ std::string SlurmSubmission::submitArray(const std::string& ranges, std::size_t 
   std::vector<std::string> arguments = arrayArguments(ranges);
   arguments.push_back("--chdir=" + fs::absolute(folder_).string());
   arguments.push_back(fs::absolute(arrayScriptFile(folder_)).string());
-  const SlurmJob job = {submitJob(arguments), "array", ranges + "/" + std::to_string(shards)};
+  const SlurmJob job = {submitJob(arguments), "array"};
   out << "slurm: job " << job.id << " runs shards " << shortened(ranges) << " of " << shards << "\n";
   queued_.push_back({job, ""});
   recordJob(folder_, job);
   return job.id;
 }
 
-std::string SlurmSubmission::submitMerge(std::ostream& out) const {
+/// The user's options are those of both jobs, but two jobs cannot share one log.
+std::vector<std::string> SlurmSubmission::mergeArguments(const std::string& after) const {
   std::vector<std::string> arguments = options_.sbatch;
+  if (nameOutput(arguments)) arguments.emplace_back("--output=slurm/logs/merge_%j.log");
+  if (!after.empty()) arguments.push_back("--dependency=afterany:" + after);
+  return arguments;
+}
+
+void SlurmSubmission::submitMerge(Submitted& submitted, std::ostream& out) const {
   std::string after;
   for (const QueuedJob& earlier : queued_)
-    if (earlier.job.what == "array") after += ":" + earlier.job.id;
-  if (!after.empty()) arguments.push_back("--dependency=afterany" + after);
+    if (earlier.job.what == "array") after += (after.empty() ? "" : ":") + earlier.job.id;
+  std::vector<std::string> arguments = mergeArguments(after);
   arguments.push_back("--chdir=" + fs::absolute(folder_).string());
   arguments.push_back(fs::absolute(mergeScriptFile(folder_)).string());
-  SlurmJob job = {"", "merge", ""};
   try {
-    job.id = submitJob(arguments);
+    submitted.merge_job = submitJob(arguments);
   } catch (const RunError& error) {
-    throw RunError(std::string("the merge was not submitted: ") + error.what() +
-                   (after.empty() ? "" : "; the shards are queued, job " + after.substr(1)));
+    submitted.merge_refused =
+        std::string("the merge was not submitted: ") + error.what() +
+        (after.empty() ? "; to merge: "
+                       : "; the shards are queued, job " + after + "; when they have ended: ") +
+        "fissure sweep merge " + shellWord(folder_.string());
+    return;
   }
-  out << "slurm: job " << job.id << " merges" << (after.empty() ? "" : " when they have ended") << "\n";
-  recordJob(folder_, job);
-  return job.id;
+  out << "slurm: job " << submitted.merge_job << " merges" << (after.empty() ? "" : " when they have ended")
+      << "\n";
+  recordJob(folder_, {submitted.merge_job, "merge"});
 }
 
 void SlurmSubmission::printCommands(const std::string& ranges, std::ostream& out) const {
   out << "nothing was submitted; to do that:\n  cd " << shellWord(folder_.string()) << "\n";
+  if (std::getenv("SBATCH_ARRAY_INX")) out << "  unset SBATCH_ARRAY_INX\n";
   std::string after;
   if (!ranges.empty()) {
     out << "  job=$(sbatch --parsable" << words(arrayArguments(ranges)) << " slurm/array.sbatch)\n";
-    after = " --dependency=afterany:$job";
+    after = " --dependency=afterany:${job%%;*}";
   }
-  out << "  sbatch" << words(options_.sbatch) << after << " slurm/merge.sbatch\n";
+  out << "  sbatch" << words(mergeArguments("")) << after << " slurm/merge.sbatch\n";
 }
 
 Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
@@ -233,7 +243,7 @@ Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::
     out << ", about " << durationText(estimate.total_s(each, slots_)) << " each";
   }
   out << (ranges.empty() ? "; nothing is missing" : "; to run: " + shortened(ranges)) << "\n";
-  Submitted submitted = {script.shards, ranges, "", ""};
+  Submitted submitted = {script.shards, ranges, "", "", ""};
   if (options_.dry_run) return submitted;
   writeScripts(script, out);
   if (options_.no_submit) {
@@ -241,7 +251,7 @@ Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::
     return submitted;
   }
   if (!ranges.empty()) submitted.array_job = submitArray(ranges, script.shards, out);
-  submitted.merge_job = submitMerge(out);
+  submitMerge(submitted, out);
   return submitted;
 }
 

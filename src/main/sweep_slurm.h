@@ -34,6 +34,7 @@ struct Submitted {
   std::size_t shards = 1;
   std::string missing;               ///< shards that miss something, as sbatch wants them: "1,4-7"
   std::string array_job, merge_job;  ///< empty: not submitted
+  std::string merge_refused;         ///< why the merge was not, though it should
 };
 
 /// A sweep on a Slurm cluster: writes its sbatch files and submits what is missing. What is missing is read
@@ -41,7 +42,8 @@ struct Submitted {
 class SlurmSubmission {
  public:
   /// `slots`: of each shard; default: as in the sweep's array.sbatch, else 1. Throws InputError where there
-  /// is no Slurm, or while jobs of this sweep are queued, RunError where the cluster does not answer.
+  /// is no Slurm, the options of sbatch do not fit, or while jobs of this sweep are queued; RunError where
+  /// the cluster does not answer.
   SlurmSubmission(std::filesystem::path folder, SlurmOptions options, std::optional<int> slots);
 
   int slots() const { return slots_; }
@@ -49,7 +51,7 @@ class SlurmSubmission {
   bool choosesByTime(std::size_t simulations) const { return !options_.shards && !keepsShards(simulations); }
 
   /// `tasks`: unfinished ones of the plan, whose manifest is in the folder. Says on `out` what it does.
-  /// Throws InputError for more shards than the cluster takes, RunError when sbatch refuses.
+  /// Throws InputError for more shards than the cluster takes, RunError when sbatch refuses the array.
   Submitted submit(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
                    const SweepEstimate& estimate, std::ostream& out);
 
@@ -59,8 +61,9 @@ class SlurmSubmission {
                      std::ostream& out) const;
   void writeScripts(const ArrayScript& script, std::ostream& out) const;
   std::vector<std::string> arrayArguments(const std::string& ranges) const;
+  std::vector<std::string> mergeArguments(const std::string& after) const;
   std::string submitArray(const std::string& ranges, std::size_t shards, std::ostream& out);
-  std::string submitMerge(std::ostream& out) const;
+  void submitMerge(Submitted& submitted, std::ostream& out) const;
   void printCommands(const std::string& ranges, std::ostream& out) const;
 
   std::filesystem::path folder_;

@@ -227,7 +227,7 @@ int finishShard(const SweepOptions& options, const SessionCounts& counts, std::o
 
 void printSubmitted(const Submitted& submitted, bool json) {
   if (!json) return;
-  std::cout << jsonText({{"exit_code", exit_good},
+  std::cout << jsonText({{"exit_code", submitted.merge_refused.empty() ? exit_good : exit_run_failed},
                          {"shards", submitted.shards},
                          {"missing", submitted.missing},
                          {"array_job", submitted.array_job},
@@ -307,7 +307,9 @@ int runSweep(const SweepOptions& options) {
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
   if (slurm) {
     if (interrupt->requested()) return exit_interrupted;
-    printSubmitted(slurm->submit(plan, tasks, estimate, out), options.json);
+    const Submitted submitted = slurm->submit(plan, tasks, estimate, out);
+    printSubmitted(submitted, options.json);
+    if (!submitted.merge_refused.empty()) throw RunError(submitted.merge_refused);
     return exit_good;
   }
   out.flush();

@@ -65,19 +65,15 @@ ToolOutcome runTool(const std::filesystem::path& program, const std::vector<std:
   SpawnedProcess process = spawn({.program = program, .arguments = arguments});
   ToolOutcome outcome;
   std::string errors;
-  const bool ended = listenUntil(end, process, outcome.output, errors);
-  if (!ended) ::kill(process.process, SIGKILL);
+  outcome.in_time = listenUntil(end, process, outcome.output, errors);
+  if (!outcome.in_time) ::kill(process.process, SIGKILL);
   int status = 0;
   while (::waitpid(process.process, &status, 0) < 0 && errno == EINTR) {
   }
-  if (!ended) {
-    std::ostringstream reason;
-    reason << name << ": no answer within " << most_s << " s";
-    throw RunError(reason.str());
-  }
+  outcome.error = lastLine(errors);
+  if (!outcome.in_time) return outcome;
   if (!WIFEXITED(status)) throw RunError(name + ": killed by signal " + std::to_string(WTERMSIG(status)));
   outcome.code = WEXITSTATUS(status);
-  outcome.error = lastLine(errors);
   return outcome;
 }
 

@@ -1,6 +1,7 @@
 #include "study/slurm.h"
 
 #include <fcntl.h>
+#include <pwd.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -15,6 +16,7 @@
 #include "base/error.h"
 #include "process/fed_process.h"
 #include "process/tool.h"
+#include "scenario/scalars.h"
 #include "study/slurm_scripts.h"
 
 namespace fissure {
@@ -23,16 +25,55 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double most_s = 60;  // a busy controller takes its time
+constexpr double patience_s = 60;  // a busy controller takes its time
 
-std::string said(const char* tool, const std::vector<std::string>& arguments) {
+std::string onPath(const char* tool) {
   const auto program = programOnPath(tool);
-  if (!program) throw RunError(std::string(tool) + ": not on PATH any more");
-  const ToolOutcome outcome = runTool(*program, arguments, most_s);
+  if (!program) throw RunError(std::string(tool) + ": not on PATH");
+  return program->string();
+}
+
+std::string noAnswer(const char* tool, double most_s) {
+  std::ostringstream reason;
+  reason << tool << ": no answer within " << most_s << " s";
+  return reason.str();
+}
+
+/// What a tool that ended has said. Throws RunError unless all went well.
+std::string answerOf(const char* tool, const ToolOutcome& outcome) {
   if (outcome.code == 0) return outcome.output;
   const std::string name = std::string(tool) + ": ";
   if (outcome.error.empty()) throw RunError(name + "exit code " + std::to_string(outcome.code));
   throw RunError(outcome.error.starts_with(name) ? outcome.error : name + outcome.error);
+}
+
+std::string said(const char* tool, const std::vector<std::string>& arguments, double most_s = patience_s) {
+  const ToolOutcome outcome = runTool(onPath(tool), arguments, most_s);
+  if (!outcome.in_time) throw RunError(noAnswer(tool, most_s));
+  return answerOf(tool, outcome);
+}
+
+/// Fields of the lines of `sacctmgr --parsable2`.
+std::vector<std::vector<std::string>> accounts(std::vector<std::string> arguments, double most_s) {
+  arguments.insert(arguments.begin(), {"--noheader", "--parsable2", "show"});
+  std::istringstream lines(said("sacctmgr", arguments, most_s));
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    std::vector<std::string>& row = rows.emplace_back();
+    std::istringstream fields(line + "|");
+    for (std::string field; std::getline(fields, field, '|');) row.push_back(field);
+  }
+  return rows;
+}
+
+std::string userName() {
+  const passwd* user = ::getpwuid(::getuid());
+  return user ? user->pw_name : std::to_string(::getuid());
+}
+
+void takeLeast(std::optional<std::size_t>& least, const std::string& number) {
+  const std::optional<int> limit = toInt(number);
+  if (limit && *limit >= 0) least = std::min(least.value_or(*limit), static_cast<std::size_t>(*limit));
 }
 
 std::size_t configured(const std::string& config, const std::string& key) {
@@ -71,14 +112,47 @@ void requireSlurm() {
 
 SlurmLimits slurmLimits() {
   const std::string config = said("scontrol", {"show", "config"});
-  return {configured(config, "MaxArraySize"), configured(config, "MaxJobCount")};
+  const SlurmLimits limits = {configured(config, "MaxArraySize"), configured(config, "MaxJobCount")};
+  if (limits.max_array_size < 2)
+    throw InputError("--engine slurm: this cluster takes no arrays (MaxArraySize " +
+                     std::to_string(limits.max_array_size) + "), expected jobs of your own with --shard I/N");
+  return limits;
 }
 
-std::string submitJob(const std::vector<std::string>& arguments) {
-  std::vector<std::string> words = {"--parsable"};
+std::optional<std::size_t> submitLimit(double most_s) {
+  std::optional<std::size_t> least;
+  try {
+    std::string qos;
+    for (const std::vector<std::string>& row :
+         accounts({"assoc", "where", "user=" + userName(), "format=MaxSubmitJobs,DefaultQOS"}, most_s)) {
+      takeLeast(least, row[0]);
+      if (row.size() > 1 && !row[1].empty()) qos += (qos.empty() ? "" : ",") + row[1];
+    }
+    if (qos.empty()) return least;
+    for (const std::vector<std::string>& row :
+         accounts({"qos", "where", "name=" + qos, "format=MaxSubmitJobsPerUser"}, most_s))
+      takeLeast(least, row[0]);
+  } catch (const RunError&) {  // no accounts are kept, or their daemon is down
+  }
+  return least;
+}
+
+std::string submitJob(const std::vector<std::string>& arguments, double most_s) {
+  std::vector<std::string> words = {"-u", "SBATCH_ARRAY_INX", onPath("sbatch"), "--parsable"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const std::string answer = said("sbatch", words);  // the id, on some clusters ";" and the cluster's name
-  std::string id = answer.substr(0, answer.find_first_not_of("0123456789"));
+  const ToolOutcome outcome = runTool("/usr/bin/env", words, most_s);
+  // The id, on some clusters ";" and the cluster's name; a line that is not whole may be half a number.
+  const std::string line = outcome.output.substr(0, outcome.output.find('\n') + 1);
+  const std::string id = line.substr(0, line.find_first_not_of("0123456789"));
+  if (!outcome.in_time && id.empty())
+    throw RunError(noAnswer("sbatch", most_s) + "; the job may be queued all the same, squeue says that");
+  try {
+    if (outcome.in_time) answerOf("sbatch", outcome);
+  } catch (const RunError& error) {
+    const std::string reason = error.what();
+    if (reason.find("submit limit") == std::string::npos) throw;
+    throw RunError(reason + "; if these are too many jobs at a time: fewer tasks with --shards N");
+  }
   if (id.empty()) throw RunError("sbatch: names no job");
   return id;
 }
@@ -86,7 +160,7 @@ std::string submitJob(const std::vector<std::string>& arguments) {
 void recordJob(const fs::path& folder, const SlurmJob& job) {
   const fs::path file = jobsFile(folder);
   const Descriptor jobs(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
-  const std::string line = job.id + " " + job.what + (job.tasks.empty() ? "" : " ") + job.tasks + "\n";
+  const std::string line = job.id + " " + job.what + "\n";
   if (!jobs.open() || ::write(jobs.number(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
     throw RunError(file.string() + ": cannot write: " + std::strerror(errno) + "; job " + job.id +
                    " is queued all the same");
@@ -97,7 +171,7 @@ std::vector<SlurmJob> recordedJobs(const fs::path& folder) {
   std::ifstream stream(jobsFile(folder));
   for (std::string line; std::getline(stream, line);) {
     SlurmJob job;
-    std::istringstream(line) >> job.id >> job.what >> job.tasks;
+    std::istringstream(line) >> job.id >> job.what;
     if (!job.id.empty() && job.id.find_first_not_of("0123456789") == std::string::npos)
       jobs.push_back(std::move(job));
   }

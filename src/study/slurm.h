@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +22,23 @@ bool hasSlurm();
 /// Throws InputError where hasSlurm() is false.
 void requireSlurm();
 
-/// Throws RunError when the cluster does not answer.
+/// Throws RunError when the cluster does not answer, InputError when it takes no arrays.
 SlurmLimits slurmLimits();
 
-/// `sbatch ARGUMENTS...`; the id of the job. Throws RunError with what sbatch says.
-std::string submitJob(const std::vector<std::string>& arguments);
+/// How many jobs this user may have submitted at a time: the least MaxSubmitJobs of the user's associations
+/// and of their default QOS, as sacctmgr says; each task of an array counts. Nothing where none is set, or
+/// nobody answers within `most_s` seconds: many clusters keep no accounts.
+std::optional<std::size_t> submitLimit(double most_s = 4);
+
+/// `sbatch ARGUMENTS...`, without the array and the waiting that the environment may ask for; the id of the
+/// job. Throws RunError with what sbatch says, and what to do about it; also when it says no id within
+/// `most_s` seconds.
+std::string submitJob(const std::vector<std::string>& arguments, double most_s = 60);
 
 /// A job that this program submitted, as `<sweep's folder>/slurm/jobs` records it, a line each.
 struct SlurmJob {
   std::string id;
-  std::string what;   ///< "array" or "merge"
-  std::string tasks;  ///< of an array: "1,4-7/8"
+  std::string what;  ///< "array" or "merge"
 };
 
 /// Appends a line. Throws RunError when that fails.

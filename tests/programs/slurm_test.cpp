@@ -22,7 +22,8 @@ constexpr const char* blades =
     "axes:\n"
     "  - {path: bodies.sphere.mass_kg, values: [0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.11, 0.12]}\n";
 
-/// Answers of sbatch are job 101, 102, ...; what it was told stands in `calls`, a line each.
+/// Answers of sbatch are job 101, 102, ..., and what is in `cluster`; what it was told stands in `calls`, a
+/// line each.
 class SlurmTest : public testing::Test {
  protected:
   SlurmTest() {
@@ -35,9 +36,9 @@ class SlurmTest : public testing::Test {
          "account' >&2; "
          "exit 1; fi; "
          "for word; do printf '[%s]' \"$word\"; done >> \"$at/calls\"; echo >> \"$at/calls\"; "
-         "echo $((100 + $(wc -l < \"$at/calls\")))");
+         "echo $((100 + $(wc -l < \"$at/calls\")))\"$(cat \"$at/cluster\")\"");
     limits("1001", "10000");
-    for (const char* name : {"queue", "calls", "requeued"}) folder_.write(name, "");
+    for (const char* name : {"queue", "calls", "cluster", "requeued"}) folder_.write(name, "");
     folder_.write("most", "99");
     folder_.write("press.yaml", pressScenario());
     folder_.write("blades.yaml", blades);
@@ -101,7 +102,7 @@ TEST_F(SlurmTest, GetsAnArrayAndThenTheMerge) {
   EXPECT_EQ(calls(), "[--parsable][--partition=my part][-A][x][--array=1-4]" + chdirAnd("array") +
                          "[--parsable][--partition=my part][-A][x][--dependency=afterany:101]" +
                          chdirAnd("merge"));
-  EXPECT_EQ(folder_.read("d/slurm/jobs"), "101 array 1-4/4\n102 merge\n");
+  EXPECT_EQ(folder_.read("d/slurm/jobs"), "101 array\n102 merge\n");
   EXPECT_TRUE(fs::is_directory(folder_ / "d/slurm/logs"));
 }
 
@@ -141,7 +142,18 @@ TEST_F(SlurmTest, LimitsTheNumberOfShards) {
   const Outcome refused = first();
   EXPECT_EQ(refused.code, 2);
   EXPECT_TRUE(says(refused.err, "takes 3 in an array (MaxArraySize 4,")) << refused.err;
-  EXPECT_EQ(sweep({"blades.yaml", "-o", "d", "--engine", "slurm", "--shard-minutes", "0.01"}).code, 0);
+  folder_.write("blades.yaml", with(blades, "values: [0.05, 0.06, 0.07, 0.08, 0.09, 0.1, 0.11, 0.12]",
+                                    "linear: {from: 0.05, to: 0.1, count: 2000}"));
+  const std::vector<std::string> by_time = {"blades.yaml",     "-o",  "d", "--engine", "slurm",
+                                            "--shard-minutes", "0.01"};
+  EXPECT_EQ(sweep(by_time).code, 0);
+  EXPECT_TRUE(says(calls(), "[--array=1-3]"));
+  tool("sacctmgr", "echo '3|'");
+  EXPECT_TRUE(says(sweep(by_time).out, "you may have 2 beside the merge (MaxSubmitJobs)"));
+  EXPECT_TRUE(says(calls(), "[--array=1-2]"));
+  folder_.write("blades.yaml", blades);
+  limits("1", "10000");
+  EXPECT_TRUE(says(first().err, "this cluster takes no arrays (MaxArraySize 1)"));
   limits("1001", "3");
   EXPECT_TRUE(says(first().err, "takes 2 in an array"));
   limits("1001", "10000");
@@ -187,6 +199,9 @@ TEST_F(SlurmTest, ScriptsAreKeptAsTheyWereEdited) {
   EXPECT_TRUE(says(same.out, "merge.sbatch: was edited, and is kept\n")) << same.out;
   EXPECT_EQ(folder_.read("d/slurm/array.sbatch"), edited);
   EXPECT_TRUE(says(calls(), "[--array=1-4%2]"));
+  folder_.write("d/slurm/array.sbatch", with(edited, "--array=1-4%2", "--array=1-9%2"));
+  EXPECT_TRUE(says(again().err, "--array=1-9 with shards=4, expected the same number"));
+  folder_.write("d/slurm/array.sbatch", edited);
   const Outcome other = again({"--shards", "3", "-j", "5"});
   EXPECT_TRUE(says(other.out, "but for its number of shards, now 3")) << other.out;
   const std::string changed = folder_.read("d/slurm/array.sbatch");
@@ -208,7 +223,18 @@ TEST_F(SlurmTest, RefusesInOneLine) {
   outcome = first();
   EXPECT_EQ(outcome.code, 3);
   EXPECT_TRUE(isOneLine(outcome.err) && says(outcome.err, "the shards are queued, job 101")) << outcome.err;
-  EXPECT_EQ(folder_.read("d/slurm/jobs"), "101 array 1-4/4\n");
+  EXPECT_EQ(folder_.read("d/slurm/jobs"), "101 array\n");
+  EXPECT_TRUE(says(outcome.err, "when they have ended: fissure sweep merge d\n")) << outcome.err;
+  calls();
+  outcome = again({"--json"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.out,
+            "{\n  \"exit_code\": 3,\n  \"shards\": 4,\n  \"missing\": \"1-4\",\n"
+            "  \"array_job\": \"101\",\n  \"merge_job\": \"\"\n}\n");
+  tool("squeue", "echo 'squeue: error: no controller' >&2; exit 1");
+  EXPECT_EQ(again().code, 3);
+  EXPECT_EQ(again({"--dry-run"}).code, 0) << "submits nothing: nobody needs to know what is queued";
+  EXPECT_EQ(again({"--no-submit"}).code, 0);
   tool("scontrol", "echo 'scontrol: error: no controller' >&2; exit 1");
   outcome = again();
   EXPECT_EQ(outcome.code, 3);
@@ -219,6 +245,10 @@ TEST_F(SlurmTest, OptionsThatDoNotFit) {
   for (const std::vector<std::string>& words :
        std::vector<std::vector<std::string>>{{"--", "--array=1-9"},
                                              {"--", "-a", "1"},
+                                             {"--", "-a1-5"},
+                                             {"--", "--wait"},
+                                             {"--", "-p", "all", "blades.yaml"},
+                                             {"--", "--exclusive", "blades.yaml"},
                                              {"word"},
                                              {"--shard", "1/2"},
                                              {"--fail-fast"},
@@ -240,7 +270,22 @@ TEST_F(SlurmTest, OptionsThatDoNotFit) {
   EXPECT_FALSE(fs::exists(folder_ / "d"));
 }
 
+TEST_F(SlurmTest, OfSeveralClustersSaysWhich) {
+  folder_.write("cluster", ";alpha");
+  ASSERT_EQ(first().code, 0);
+  EXPECT_TRUE(says(calls(), "[--dependency=afterany:101]"));
+  EXPECT_EQ(folder_.read("d/slurm/jobs"), "101 array\n102 merge\n");
+}
+
+TEST_F(SlurmTest, WritesTheMergesLogApart) {
+  ASSERT_EQ(first({"--", "--output=logs_%A_%a"}).code, 0);
+  const std::string told = calls();
+  EXPECT_TRUE(says(told, "[--output=logs_%A_%a][--array=1-4]")) << told;
+  EXPECT_TRUE(says(told, "[--output=logs_%A_%a][--output=slurm/logs/merge_%j.log]")) << told;
+}
+
 TEST_F(SlurmTest, MayBeToldByHand) {
+  folder_.write("cluster", ";alpha");
   const Outcome outcome = first({"--no-submit", "--", "--comment=it's"});
   ASSERT_EQ(outcome.code, 0);
   EXPECT_EQ(calls(), "");
@@ -297,6 +342,16 @@ TEST_F(SlurmScriptTest, RunsAShardAndMergesTheRest) {
   EXPECT_EQ(merged.code, 3) << "runs are missing";
   EXPECT_TRUE(says(merged.out, "6 missing, 2 ok")) << merged.out;
   EXPECT_EQ(folder_.read("requeued"), "");
+}
+
+TEST_F(SlurmScriptTest, RunsItsShardWithoutTemporaryFiles) {
+  ASSERT_EQ(first({"--no-submit"}).code, 0);
+  std::vector<std::string> without = words("array");
+  without.insert(without.begin() + 1, "TMPDIR=" + (folder_ / "none").string());
+  EXPECT_EQ(runTool(folder_, without).code, 0);
+  EXPECT_TRUE(fs::is_empty(folder_ / "d/slurm/logs"));
+  fs::remove_all(folder_ / "d/slurm/logs");
+  EXPECT_EQ(runTool(folder_, without).code, 0);
 }
 
 TEST_F(SlurmScriptTest, QueuesAgainWhenItsTimeIsUpAndItGotSomethingDone) {
