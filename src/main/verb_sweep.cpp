@@ -13,11 +13,11 @@
 #include "main/result_json.h"
 #include "main/sweep_estimate.h"
 #include "main/sweep_planning.h"
+#include "main/sweep_results.h"
 #include "main/sweep_session.h"
 #include "main/sweep_slurm.h"
 #include "main/text_table.h"
 #include "main/verbs.h"
-#include "process/apart.h"
 #include "scenario/scalars.h"
 #include "scenario/text_file.h"
 #include "study/sweep_merge.h"
@@ -114,22 +114,12 @@ void printEstimate(const SweepEstimate& estimate, std::size_t tasks, std::size_t
   out << "\n";
 }
 
-/// Result files that somebody damaged or removed are made again.
-void forgetLostResults(const SweepPlan& plan, const fs::path& folder, SweepState& state) {
-  if (plan.manifest().settings.keep != SweepKeep::results) return;
-  for (std::size_t i = 0; i < plan.tasks().size(); ++i) {
-    const SweepState::Task& task = state.task(i);
-    if (!task.finished || task.file.empty() ||
-        isUntouched(folder / task.file, task.file_bytes, task.file_time))
-      continue;
-    try {
-      tryReading(folder / task.file, [&] {
-        if (!readResultInfo(folder / task.file).complete) throw InputError("not complete");
-      });
-    } catch (const InputError&) {
-      state.forget(i);
-    }
-  }
+/// Of the plan, in its order.
+std::vector<std::size_t> tasksOf(const SweepPlan& plan, const Shard& shard) {
+  std::vector<std::size_t> tasks;
+  for (std::size_t task = 0; task < plan.tasks().size(); ++task)
+    if (plan.shardOf(task, shard.count) == shard.index - 1) tasks.push_back(task);
+  return tasks;
 }
 
 Provenance provenanceOf(const SweepPlan& plan, const std::string& command_line) {
@@ -187,7 +177,7 @@ void refuseReplacedPlan(const SweepPlan& plan, const fs::path& folder) {
 /// Tables of all that is known, and what they say.
 int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::string& command_line) {
   SweepState state(plan, folder);
-  forgetLostResults(plan, folder, state);
+  forgetLostResults(state, folder, tasksOf(plan, {}), ResultCheck::contents);
   refuseReplacedPlan(plan, folder);
   writeSweepTables(plan, state, folder, provenanceOf(plan, command_line));
   if (comparesNothing(plan, folder))
@@ -296,7 +286,7 @@ int runSweep(const SweepOptions& options) {
   if (!planned && !options.dry_run) putManifest(manifest, folder);
   const SweepPlan plan(std::move(manifest), folder);
   SweepState state(plan, folder);
-  forgetLostResults(plan, folder, state);
+  forgetLostResults(state, folder, tasksOf(plan, shard), ResultCheck::contents);
   std::vector<std::size_t> tasks = state.unfinished();
   std::erase_if(tasks, [&](std::size_t task) { return plan.shardOf(task, shard.count) != shard.index - 1; });
 
@@ -330,7 +320,7 @@ struct FolderOptions {
 int showStatus(const FolderOptions& options) {
   const SweepPlan plan(readManifest(options.folder), options.folder);
   SweepState state(plan, options.folder);
-  forgetLostResults(plan, options.folder, state);
+  forgetLostResults(state, options.folder, tasksOf(plan, {}), ResultCheck::size);
   const auto counts = countRuns(plan, state);
   if (options.json) {
     std::cout << jsonText({{"sweep", plan.manifest().settings.name},

@@ -162,6 +162,24 @@ TEST_F(Disturbed, AResultDamagedByHandIsMadeAgainAndNoOther) {
   EXPECT_EQ(toDo(runFissure(folder_, {"sweep", "truth"})), 0);
 }
 
+// In a copy without times all results would be opened, by each shard and for each status.
+TEST_F(Disturbed, ResultsAreOpenedOnlyByWhomTheyConcern) {
+  folder_.write("s.yaml", sweepOf("pipelines: [default]\nkeep: results\n"
+                                  "axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.11]}]\n"));
+  ASSERT_EQ(runFissure(folder_, {"sweep", "s.yaml", "-o", "out", "--shard", "2/2"}).code, 0);
+  for (const auto& entry : fs::directory_iterator(folder_ / "out/runs")) {
+    const auto bytes = fs::file_size(entry.path());
+    fs::resize_file(entry.path(), 0);
+    fs::resize_file(entry.path(), bytes);
+  }
+  const Outcome status = runFissure(folder_, {"sweep", "status", "out"});
+  EXPECT_EQ(toDo(status), 1) << "its size is as it was: " << status.out;
+  const Outcome first = runFissure(folder_, {"sweep", "out", "--shard", "1/2"});
+  EXPECT_EQ(toDo(first), 1);
+  EXPECT_NE(first.out.find(" ms each)"), std::string::npos) << "as long as the one of the other shard took";
+  EXPECT_EQ(toDo(runFissure(folder_, {"sweep", "out", "--shard", "2/2"})), 1);
+}
+
 TEST_F(Disturbed, OnlyWhatChangedIsRunAgain) {
   makeTruth();
   EXPECT_EQ(toDo(runFissure(folder_, {"sweep", "s.yaml", "-o", "truth"})), 0);
