@@ -13,17 +13,18 @@ namespace fissure {
 namespace {
 
 struct Option {
-  char letter;
+  char letter = ' ';
   std::string_view name;
-  std::size_t least;  ///< so many letters of the name are enough for sbatch
+  std::size_t least = 0;  ///< so many letters of the name are enough for sbatch
 };
 
 constexpr Option output = {'o', "--output", 4};
 
 struct Unfit {
   Option option;
-  const char* variable;  ///< of the environment, which says the same; "": there is none, or it is overridden
-  const char* expected;
+  const char* variable =
+      "";  ///< of the environment, which says the same; "": there is none, or it is overridden
+  const char* expected = "";
 };
 
 constexpr std::array<Unfit, 4> unfit = {{

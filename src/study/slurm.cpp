@@ -143,7 +143,7 @@ std::string submitJob(const std::vector<std::string>& arguments, double most_s) 
   const ToolOutcome outcome = runTool("/usr/bin/env", words, most_s);
   // The id, on some clusters ";" and the cluster's name; a line that is not whole may be half a number.
   const std::string line = outcome.output.substr(0, outcome.output.find('\n') + 1);
-  const std::string id = line.substr(0, line.find_first_not_of("0123456789"));
+  std::string id = line.substr(0, line.find_first_not_of("0123456789"));
   if (!outcome.in_time && id.empty())
     throw RunError(noAnswer("sbatch", most_s) + "; the job may be queued all the same, squeue says that");
   try {
