@@ -1,13 +1,16 @@
 #include "main/sweep_planning.h"
 
 #include <algorithm>
+#include <iomanip>
 #include <set>
+#include <sstream>
 
 #include "base/error.h"
 #include "main/provenance.h"
 #include "main/run_plan.h"
 #include "main/scenario_input.h"
 #include "process/engine_program.h"
+#include "process/line_splitter.h"
 #include "scenario/compose.h"
 #include "scenario/did_you_mean.h"
 #include "scenario/scalars.h"
@@ -33,17 +36,33 @@ std::string hashOf(const fs::path& file) {
   return *hash;
 }
 
+/// Absolute also where nothing of it is there yet.
+fs::path wholePath(const fs::path& path) {
+  return fs::weakly_canonical(fs::current_path() / path);
+}
+
 /// `file` as it is called from `directory`, whatever links lead there.
 std::string nameFrom(const fs::path& directory, const fs::path& file) {
-  const fs::path name = fs::weakly_canonical(file).lexically_relative(fs::weakly_canonical(directory));
-  return name.empty() ? fs::weakly_canonical(file).string() : name.generic_string();
+  return wholePath(file).lexically_relative(wholePath(directory)).generic_string();
+}
+
+/// Paths stand in the plan and in what workers are told, as text.
+void requireText(const fs::path& path) {
+  if (firstLineNotText(path.string()) != 0)
+    throw InputError(printableLine(path.string()) +
+                     ": its path is not UTF-8, expected folders whose names are");
+}
+
+std::string countText(double count) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << count;
+  return text.str();
 }
 
 void refuseTooMany(const fs::path& file, double runs, bool many) {
-  const std::string found = file.string() + ": plans " + formatReal(runs) + " runs";
-  if (runs > max_sweep_runs) throw InputError(found + ", expected at most " + formatReal(max_sweep_runs));
-  if (runs > many_sweep_runs && !many)
-    throw InputError(found + ", expected at most " + formatReal(many_sweep_runs) + ", or --yes");
+  const std::string found = file.string() + ": plans " + countText(runs) + " runs, expected at most ";
+  if (runs > max_sweep_runs) throw InputError(found + countText(max_sweep_runs));
+  if (runs > many_sweep_runs && !many) throw InputError(found + countText(many_sweep_runs) + ", or --yes");
 }
 
 /// Points in which every value of every axis is at least once.
@@ -89,9 +108,11 @@ std::string nameIn(const fs::path& folder, const std::string& ours) {
 class Planner {
  public:
   Planner(fs::path file, fs::path folder, bool many) : file_(std::move(file)), folder_(std::move(folder)) {
+    requireText(wholePath(folder_));
     manifest_.settings = loadSweep(file_);
     base_file_ = (manifest_.settings.directory / manifest_.settings.base).lexically_normal();
     base_ = checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false}).loaded;
+    requireText(wholePath(base_.scenario.directory));
     const LoadedScenario all = parseScenario(base_.composed, base_file_);
     all_entries_ = all.scenario.pipelines;
     scenario_files_ = base_.inputs.size() - all.inputs.size();
@@ -136,8 +157,11 @@ class Planner {
   void addFit() {
     const std::optional<SweepFit>& fit = manifest_.settings.fit;
     if (!fit) return;
-    const fs::path curve = manifest_.settings.directory / fit->curve;
+    const fs::path curve = (manifest_.settings.directory / fit->curve).lexically_normal();
     manifest_.measured = readTextFile(curve);
+    if (const int line = firstLineNotText(manifest_.measured))
+      throw InputError(curve.string() + ":" + std::to_string(line) +
+                       ": binary data or not UTF-8, expected UTF-8 text");
     const std::vector<ForceSettings>& laws = base_.scenario.force;
     std::vector<std::string> names;
     for (const ForceSettings& law : laws) names.push_back(law.name);
@@ -236,6 +260,7 @@ class Planner {
   /// Its hash goes into the plan; returns its name there.
   std::string addInput(const fs::path& input) {
     std::string name = nameFrom(base_.scenario.directory, input);
+    requireText(name);
     if (!manifest_.inputs.contains(name)) manifest_.inputs[name] = hashOf(input);
     return name;
   }
@@ -323,6 +348,7 @@ void refuseOtherPlan(const SweepManifest& manifest, const fs::path& folder) {
     throw InputError(folder.string() + ": was planned with another " + what +
                      ", expected its sweep file to plan it again");
   };
+  requireText(wholePath(folder / manifest.directory));
   for (const auto& [precision, hash] : manifest.engines) {
     const fs::path program = engineProgram(precision);
     if (hashOf(program) != hash) refuse(program.filename().string());

@@ -1,6 +1,7 @@
 #include "study/sweep_file.h"
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 #include "base/error.h"
@@ -230,6 +231,7 @@ class SweepChecker {
                                 group.axes.front().path + " " + std::to_string(length(group.axes.front())) +
                                 ", expected as many of zipped axes");
     }
+    checkEqual(node.origin, group);
   }
 
   void checkAxis(const Origin& origin, const SweepAxis& axis) {
@@ -246,6 +248,27 @@ class SweepChecker {
       failAt(origin, "axis " + axis.path + " logarithmic: from and to are " +
                          formatReal(axis.logarithmic->from) + " and " + formatReal(axis.logarithmic->to) +
                          ", expected numbers above 0");
+  }
+
+  /// Points that are equal would fill a table twice, with one simulation.
+  static void checkEqual(const Origin& origin, const AxisGroup& group) {
+    const auto joined = [&](const auto& textOf) {
+      std::string text;
+      for (const SweepAxis& axis : group.axes) text += (text.empty() ? "" : ", ") + textOf(axis);
+      return text;
+    };
+    if (std::any_of(group.axes.begin(), group.axes.end(), [](const SweepAxis& axis) { return !axis.values; }))
+      return;  // a range has no equal values
+    std::map<std::string, std::string> seen;
+    for (std::size_t i = 0; i < length(group.axes.front()); ++i) {
+      const std::string written = joined([&](const SweepAxis& axis) { return (*axis.values)[i]; });
+      const auto [same, is_new] = seen.try_emplace(
+          joined([&](const SweepAxis& axis) { return plainValue((*axis.values)[i]); }), written);
+      if (!is_new)
+        failAt({origin.source, group.axes.front().line},
+               "axis " + joined([](const SweepAxis& axis) { return axis.path; }) + ": " + written + " is " +
+                   same->second + " again, expected each value once");
+    }
   }
 
   static void checkRange(const Origin& origin, const std::string& what, const AxisRange& range) {

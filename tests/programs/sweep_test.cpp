@@ -94,10 +94,10 @@ TEST(Sweep, SettingsOfOneEntryDoNotRunTheOthersAgain) {
   const Folder folder;
   folder.write("press.yaml", pressScenario("[{pipeline: default}, {pipeline: fukuhara}]"));
   folder.write("s.yaml", sweepOf("axes: [{path: pipelines.fukuhara.sweeps, values: [1, 2, 3]},\n"
-                                 "  {path: pipelines.1.max_displacement_m, values: [0.001, 1e-3]}]\n"));
+                                 "  {path: pipelines.1.max_displacement_m, values: [0.001, 0.002]}]\n"));
   const Outcome outcome = runFissure(folder, {"sweep", "s.yaml", "-o", "out"});
   ASSERT_EQ(outcome.code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("= 12 runs in 4 simulations"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("= 12 runs in 7 simulations"), std::string::npos) << outcome.out;
 }
 
 TEST(Sweep, LawsThatMoveAToolAreSimulated) {
@@ -322,7 +322,15 @@ INSTANTIATE_TEST_SUITE_P(
         BadSweep{"MillionRuns",
                  "axes:\n  - {path: force.hc.k, linear: {from: 1, to: 2, count: 500}}\n"
                  "  - {path: force.hc.n, linear: {from: 1, to: 2, count: 1000}}\n",
-                 "^s.yaml: plans 1e\\+06 runs, expected at most 1e\\+05, or --yes"},
+                 "^s.yaml: plans 1000000 runs, expected at most 100000, or --yes"},
+        BadSweep{"TheSameTwice",
+                 "axes:\n  - {path: force.hc.n, values: [1, 2]}\n"
+                 "  - {path: force.hc.k, values: [0.1, 5, 1e-1]}\n",
+                 "^s.yaml:6: axis force.hc.k: 1e-1 is 0.1 again, expected each value once"},
+        BadSweep{"TheSamePairTwice",
+                 "axes:\n  - zip:\n    - {path: force.hc.k, values: [1, 1, 2, 1]}\n"
+                 "    - {path: force.hc.n, values: [1, 2, 1, 2.0]}\n",
+                 "^s.yaml:6: axis force.hc.k, force.hc.n: 1, 2.0 is 1, 2 again, expected each value once"},
         BadSweep{"NothingLeft",
                  "axes: [{path: force.hc.k, values: [1, 2]}]\nexclude: [[{path: force.hc.k, min: 0}]]\n",
                  "^s.yaml: exclude leaves no point, expected some"},
@@ -342,13 +350,15 @@ TEST(BadSweeps, EmptyFileAndFoldersOfOthers) {
     EXPECT_TRUE(isOneLine(outcome.err)) << outcome.err;
     EXPECT_TRUE(std::regex_search(outcome.err, std::regex(message))) << outcome.err;
   };
-  folder.write("press.yaml", pressScenario());
+  folder.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "0.02", laws));
   folder.write("empty.yaml", "");
   folder.write("s.yaml", sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1]}]\n"));
   folder.write("other.yaml", with(folder.read("s.yaml"), "name: sweep", "name: other"));
   fs::create_directory(folder / "mine");
   folder.write("mine/thesis.txt", "do not touch");
   ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
+  EXPECT_NE(folder.read("out/manifest.json").find("\"directory\":\"..\""), std::string::npos)
+      << "from the folder on, which was not there when it was planned: both can be moved";
   expectRefused({"sweep", "empty.yaml", "-o", "o"}, "^empty.yaml:1: empty, expected a sweep");
   expectRefused({"sweep", "none.yaml", "-o", "o"}, "^none.yaml: no such file");
   expectRefused({"sweep", "other.yaml", "-o", "out"},
@@ -359,6 +369,30 @@ TEST(BadSweeps, EmptyFileAndFoldersOfOthers) {
   expectRefused({"sweep", "s.yaml", "-o", "out", "--shard", "3/2"},
                 "^--shard 3/2: not a shard, expected I/N");
   expectRefused({"sweep"}, "no sweep file is named");
+  folder.write("measured.csv", "depth_mm,force_N\n0,0\n1,1\n# \xb5m\n2,3\n");
+  folder.write("fit.yaml", sweepOf("axes: [{path: force.hc.k, values: [1, 2]}]\n"
+                                   "curves: {quantities: [force, indentation], every_s: 0.01}\n"
+                                   "fit: {curve: measured.csv}\n"));
+  expectRefused({"sweep", "fit.yaml", "-o", "o"}, "^measured.csv:4: binary data or not UTF-8, expected");
+  expectRefused({"sweep", "s.yaml", "-o",
+                 "b\xe4"
+                 "d"},
+                "^.*/b\\?d: its path is not UTF-8, expected");
+  fs::create_directory(folder /
+                       "b\xe4"
+                       "d");
+  fs::rename(folder / "out", folder /
+                                 "b\xe4"
+                                 "d/out");
+  expectRefused({"sweep",
+                 "b\xe4"
+                 "d/out"},
+                "^.*/b\\?d: its path is not UTF-8, expected");
+  fs::rename(folder /
+                 "b\xe4"
+                 "d/out",
+             folder / "out");
+  EXPECT_FALSE(fs::exists(folder / "o"));
   folder.write("out/manifest.json", "{\"format\": \"fissure-sweep-plan\", \"format_version\": 1}");
   expectRefused({"sweep", "status", "out"}, "^out/manifest.json: damaged");
   EXPECT_EQ(folder.read("mine/thesis.txt"), "do not touch");

@@ -95,7 +95,10 @@ TEST(SweepPlan, AnEntryIsOnlyRunAgainForWhatItReads) {
 }
 
 TEST(SweepPlan, EqualNumbersAreOneRunHoweverTheyAreWritten) {
-  EXPECT_EQ(planOf("axes: [{path: bodies.ball.mass_kg, values: [0.1, 1e-1, 0.10, 0.2]}]\n").tasks().size(),
+  EXPECT_EQ(planOf("axes: [{zip: [{path: bodies.ball.mass_kg, values: [0.1, 1e-1, 0.10, 0.2]}, "
+                   "{path: force.hc.k, values: [1, 2, 3, 4]}]}]\n")
+                .tasks()
+                .size(),
             6u);
 }
 
