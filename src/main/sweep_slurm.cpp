@@ -75,7 +75,7 @@ void addSlurmOptions(CLI::App& command, SlurmOptions& options) {
       ->check(CLI::Range(0.01, 1e6));
   command.add_flag("--no-submit", options.no_submit, "slurm: write the sbatch files, and submit nothing");
   command.add_flag("--again", options.again, "slurm: submit although jobs of this sweep are queued");
-  command.add_option("sbatch", options.sbatch, "slurm: after --, options for sbatch")
+  command.add_option("sbatch", options.sbatch, "slurm: after --, options of sbatch, for both jobs")
       ->type_name("-- OPTIONS");
 }
 

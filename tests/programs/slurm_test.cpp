@@ -360,7 +360,7 @@ TEST_F(SlurmScriptTest, QueuesAgainWhenItsTimeIsUpAndItGotSomethingDone) {
 }
 
 TEST_F(SlurmScriptTest, QueuesAgainForWhatItTriedForTheFirstTimeAlone) {
-  const std::string limited = "1000, 10000]}\nlimits: {time_s: 0.5}\n#";
+  const std::string limited = "1000, 10000]}\nlimits: {time_s: 1}\n#";
   EXPECT_EQ(codeOfLateTask(limited, [&] { return journalBytes() > 0; }), 130);
   EXPECT_EQ(folder_.read("requeued"), "requeue 7_1\n") << "one has failed, the other was not tried";
   const long tried_once = journalBytes();
