@@ -126,8 +126,8 @@ code=$?
 progress=$(grep '"advanced": [1-9]' "$said")
 [[ $said == /dev/null ]] || rm -f "$said"
 
-# Then this task queues again for the rest, unless it finished no simulation and tried none for the first time:
-# it would not the next time either.
+# Then this task queues again for the rest, unless it finished no simulation and tried none for the first
+# time: it would not the next time either.
 if [[ $time_is_up && $code == 130 && $progress ]]; then
   echo "time is up: back to the queue"
   scontrol requeue "${SLURM_ARRAY_JOB_ID}_$SLURM_ARRAY_TASK_ID"

@@ -101,7 +101,8 @@ std::string designName(SweepDesign design);
 std::string plainValue(const std::string& yaml);
 
 /// Reads a sweep file, as strictly as a scenario. Throws InputError with file and line: also for an empty
-/// range, equal values of an axis, two axes on one path, zipped axes of different lengths, a condition on what is no axis.
+/// range, equal values of an axis, two axes on one path, zipped axes of different lengths, a condition on
+/// what is no axis.
 SweepSettings loadSweep(const std::filesystem::path& file);
 
 }  // namespace fissure
