@@ -6,7 +6,7 @@
 #include "cases.h"
 #include "contact/node_contact.h"
 #include "measure/penetration.h"
-#include "run/build_scene.h"
+#include "scene/build_scene.h"
 
 namespace fissure::bench {
 
@@ -15,7 +15,7 @@ namespace {
 constexpr double kOutside_m = -0.005;  ///< depths of the spatula's lower face below the sphere's top at rest
 constexpr double kPressed_m = 0.008;
 constexpr double kStep_m = 0.0001;
-constexpr int kCalls = 25;  ///< timed ones in a batch
+constexpr int kContactCalls = 25;  ///< timed ones in a batch
 
 Scenario scenarioWith(int subdivisions, int nodes) {
   const std::string side = std::to_string(nodes);
@@ -77,7 +77,7 @@ double detect(benchmark::State& out, int subdivisions, int nodes) {
   stepped.detect();  // its arrays have their size from here on
   const State first = stepped.state;
   Batch calls;
-  for (int i = 0; i < kCalls; ++i) {
+  for (int i = 0; i < kContactCalls; ++i) {
     stepped = saved;
     calls.time([&] { stepped.detect(); });
     if (stepped.state.positions_m != first.positions_m) throw std::logic_error("two calls differ");
@@ -86,7 +86,7 @@ double detect(benchmark::State& out, int subdivisions, int nodes) {
   for (const auto& [name, count] : countsOf(stepped))
     out.counters[name] = static_cast<double>(count - before.at(name));
   out.counters["contacts"] = stepped.state.contact_count;
-  out.counters["allocations"] = calls.allocationCount() / kCalls;
+  out.counters["allocations"] = calls.allocationCount() / kContactCalls;
   return calls.median_s();
 }
 
@@ -103,7 +103,7 @@ double measure(benchmark::State& out, int subdivisions, const std::string& where
   Penetration found = meter.measure(sphere.state);
   Batch calls;
   long long searches = 0;
-  for (int i = 0; i < kCalls; ++i) {
+  for (int i = 0; i < kContactCalls; ++i) {
     meter.measure(before);
     searches = meter.searches();
     calls.time([&] { found = meter.measure(sphere.state); });
@@ -111,7 +111,7 @@ double measure(benchmark::State& out, int subdivisions, const std::string& where
   out.counters["searches"] = static_cast<double>(meter.searches() - searches);
   if ((found.depth_m > 0) != (where == "deep")) throw std::logic_error("not a state that is " + where);
   out.counters["samples"] = static_cast<double>(meter.sampleCount());
-  out.counters["allocations"] = calls.allocationCount() / kCalls;
+  out.counters["allocations"] = calls.allocationCount() / kContactCalls;
   return calls.median_s();
 }
 

@@ -4,14 +4,14 @@
 
 #include "batch.h"
 #include "cases.h"
-#include "study/law_family.h"
+#include "task/law_family.h"
 
 namespace fissure::bench {
 
 namespace {
 
 constexpr int kTriangles = 60;  // about what a spatula meets at 512 triangles
-constexpr int kCalls = 25;
+constexpr int kLawCalls = 25;
 
 /// 20 n x 25 lambda x 20 k: with these rates some triangles pull by most of the laws.
 std::vector<ForceSettings> manyLaws() {
@@ -47,7 +47,7 @@ double plain(benchmark::State& state) {
   for (const ForceSettings& law : manyLaws()) laws.push_back(makeHuntCrossley(law.k, law.lambda, law.n));
   std::vector<double> forces_N(laws.size());
   Batch batch;
-  for (int i = 0; i < kCalls; ++i) {
+  for (int i = 0; i < kLawCalls; ++i) {
     batch.time([&] {
       for (std::size_t law = 0; law < laws.size(); ++law) {
         Vec3 sum_N = Vec3::Zero();
@@ -69,7 +69,7 @@ double family(benchmark::State& state) {
   LawFamily laws(manyLaws(), {{.model = "hunt_crossley"}});
   laws.evaluate(inputs);  // its arrays have their size from here on
   Batch batch;
-  for (int i = 0; i < kCalls; ++i) batch.time([&] { laws.evaluate(inputs); });
+  for (int i = 0; i < kLawCalls; ++i) batch.time([&] { laws.evaluate(inputs); });
   double clamped = 0;
   for (const LawValue& value : laws.values()) clamped += value.adhesion_clamped;
   if (!(clamped > 0)) throw std::logic_error("no triangle pulls");

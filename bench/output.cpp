@@ -7,8 +7,8 @@
 #include "cases.h"
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
-#include "run/build_scene.h"
 #include "run/run.h"
+#include "scene/build_scene.h"
 #include "store/part_file.h"
 
 namespace fissure::bench {
@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;  ///< rows that a part file writes at once
 constexpr std::size_t kBlocks = 5;
-constexpr std::size_t kRows = kBlock * kBlocks;
+constexpr std::size_t kOutputRows = kBlock * kBlocks;
 
 double append(benchmark::State& out) {
   const Scenario scenario = configuredScenario("spatula_press");
@@ -37,18 +37,18 @@ double append(benchmark::State& out) {
                                           .pipeline = pipeline,
                                           .scene = scene,
                                           .layout = layout,
-                                          .expected_rows = kRows,
+                                          .expected_rows = kOutputRows,
                                           .flush_every_s = 1e9});  // blocks by their size alone
   Batch blocks;
-  for (std::size_t row = 0; row < kRows; row += kBlock) {
+  for (std::size_t row = 0; row < kOutputRows; row += kBlock) {
     blocks.time([&] {
       for (std::size_t i = row; i < row + kBlock; ++i) sink->append(table[i % table.size()]);
     });
   }
   sink->finish({}, {});
   out.counters["columns"] = static_cast<double>(layout.columns());
-  out.counters["bytes"] = static_cast<double>(std::filesystem::file_size(part)) / kRows;
-  out.counters["allocations"] = blocks.allocationCount() / kRows;
+  out.counters["bytes"] = static_cast<double>(std::filesystem::file_size(part)) / kOutputRows;
+  out.counters["allocations"] = blocks.allocationCount() / kOutputRows;
   std::filesystem::remove(part);
   return blocks.median_s() / kBlock;
 }

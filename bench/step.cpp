@@ -7,7 +7,7 @@
 #include "cases.h"
 #include "engine/simulation.h"
 #include "motion/motion.h"
-#include "run/build_scene.h"
+#include "scene/build_scene.h"
 
 namespace fissure::bench {
 

@@ -15,7 +15,7 @@ import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-DETECTOR = "src/contact/node_contact.cpp"
+DETECTOR = "src/simulation/contact/node_contact.cpp"
 SLOW_PART = """  // Ten percent more, for scripts/bench_compare_check.py.
   const auto end = std::chrono::steady_clock::now();
   while (std::chrono::steady_clock::now() - end < (end - start) / 10) {

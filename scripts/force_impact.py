@@ -3,7 +3,7 @@
 
     /usr/bin/python3 scripts/force_impact.py
 
-The test integrates an impact of known outcome through the program's own force law (tests/contact/impact_test.cpp). Writes
+The test integrates an impact of known outcome through the program's own force law (tests/simulation/contact/impact_test.cpp). Writes
 results/force_impact/errors.csv and README.md.
 """
 import csv

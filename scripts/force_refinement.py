@@ -165,7 +165,7 @@ length, and with it how far it is displaced (the two columns of deformation). A 
 
 ## The laws alone
 
-The same sphere with its top pushed in by a prescribed map (tests/contact/per_area_test.cpp), which a mesh can only follow better: the sum
+The same sphere with its top pushed in by a prescribed map (tests/simulation/contact/per_area_test.cpp), which a mesh can only follow better: the sum
 per area converges to the surface integral of the law, with second order; the paper's sum grows with the number of triangles. (With
 first order where tissue moves beyond the edge of contact too.)
 

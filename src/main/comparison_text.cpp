@@ -3,9 +3,9 @@
 #include <cmath>
 #include <cstdio>
 
-#include "compare/units.h"
 #include "main/comparison.h"
 #include "main/text_table.h"
+#include "text/units.h"
 
 namespace fissure {
 

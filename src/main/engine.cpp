@@ -1,6 +1,5 @@
 // The worker: one scenario through one pipeline into one part file.
 //   exit 0: the part is finished (its status says ok or non_finite); 2: bad input; 3: failed
-#include <CLI/CLI.hpp>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -9,16 +8,17 @@
 #include <optional>
 
 #include "base/error.h"
+#include "check/scenario_input.h"
 #include "engine/simulation.h"
-#include "main/scenario_input.h"
+#include "main/command.h"
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
 #include "scenario/load.h"
-#include "scenario/text_file.h"
 #include "store/part_file.h"
-#include "study/run_recorder.h"
-#include "study/task_order.h"
+#include "task/run_recorder.h"
+#include "task/task_order.h"
+#include "text/text_file.h"
 
 namespace {
 
@@ -148,22 +148,22 @@ void workToOrder(const std::string& order_file, const std::string& record, const
 }
 
 int parseAndWork(int argc, const char* const* argv) {
-  CLI::App app("fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
+  CommandLine line(
+      "fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
   std::string scenario, directory, pipeline, part, order, record;
-  app.add_option("--scenario", scenario, "scenario file, resolved");
-  app.add_option("--directory", directory, "where the scenario's relative file names start");
-  app.add_option("--pipeline", pipeline, "name of the pipeline entry to run");
-  app.add_option("--part", part, "part file to write");
-  app.add_option("--order", order, "instead of a scenario: file with a simulation of a sweep");
-  app.add_option("--record", record, "file for the sweep's record of it");
-  try {
-    app.parse(argc, argv);
-    if (order.empty() ? scenario.empty() || directory.empty() || pipeline.empty() || part.empty()
-                      : record.empty())
-      throw CLI::RequiredError("--scenario, --directory, --pipeline and --part, or --order and --record");
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  }
+  Command root = line.root();
+  root.option("--scenario", scenario, "scenario file, resolved");
+  root.option("--directory", directory, "where the scenario's relative file names start");
+  root.option("--pipeline", pipeline, "name of the pipeline entry to run");
+  root.option("--part", part, "part file to write");
+  root.option("--order", order, "instead of a scenario: file with a simulation of a sweep");
+  root.option("--record", record, "file for the sweep's record of it");
+  const CommandLine::Outcome parsed = line.parse(argc, argv);
+  if (parsed.done) return 0;
+  if (!parsed.error.empty()) throw InputError(parsed.error);
+  if (order.empty() ? scenario.empty() || directory.empty() || pipeline.empty() || part.empty()
+                    : record.empty())
+    throw InputError("expected --scenario, --directory, --pipeline and --part, or --order and --record");
   if (order.empty())
     work(scenario, directory, pipeline, part);
   else

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "base/error.h"
-#include "main/build_info.h"
+#include "batch/build_info.h"
+#include "batch/provenance.h"
 #include "main/exit_codes.h"
 #include "main/one_line.h"
-#include "main/provenance.h"
 #include "main/verbs.h"
 
 namespace {
@@ -27,7 +27,7 @@ void setSignals() {
 int runVerb(const std::vector<Verb>& verbs) {
   int code = exit_usage;
   for (const Verb& verb : verbs)
-    if (verb.command->parsed()) code = verb.action();
+    if (verb.command.given()) code = verb.action();
   if (!std::cout.flush()) throw RunError("standard output: cannot write");
   return code;
 }
@@ -38,33 +38,23 @@ int fail(int code, const std::string& message) {
 }
 
 int start(int argc, char** argv) {
-  CLI::App app("fissure: batch experiments in soft-rigid contact with thin surgical tools", "fissure");
-  app.set_version_flag("--version", "fissure " + buildInfo().version + " (" + buildInfo().commit + ")");
-  app.require_subcommand(1);
-  app.footer(
+  CommandLine command_line("fissure: batch experiments in soft-rigid contact with thin surgical tools",
+                           "fissure");
+  command_line.setVersion("fissure " + buildInfo().version + " (" + buildInfo().commit + ")");
+  command_line.requireCommand();
+  command_line.setFooter(
       "Exit codes: 0 done and good, 1 a comparison or an expectation failed, 2 bad input or usage, 3 a run "
       "failed, 130 "
       "interrupted.");
-  const std::string command_line = commandLine(argc, argv);
-  const std::vector<Verb> verbs = {addRun(app, command_line),
-                                   addSweep(app, command_line),
-                                   addPlan(app),
-                                   addValidate(app),
-                                   addList(app),
-                                   addInfo(app),
-                                   addCompare(app),
-                                   addRender(app),
-                                   addReport(app),
-                                   addExport(app),
-                                   addFit(app),
-                                   addSalvage(app, command_line)};
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::Success& help) {
-    return app.exit(help);
-  } catch (const CLI::ParseError& error) {
-    return fail(exit_usage, "fissure: " + std::string(error.what()) + " (see fissure --help)");
-  }
+  const Command app = command_line.root();
+  const std::string words = commandLine(argc, argv);
+  const std::vector<Verb> verbs = {addRun(app, words), addSweep(app, words), addPlan(app),
+                                   addValidate(app),   addList(app),         addInfo(app),
+                                   addCompare(app),    addRender(app),       addReport(app),
+                                   addExport(app),     addFit(app),          addSalvage(app, words)};
+  const CommandLine::Outcome parsed = command_line.parse(argc, argv);
+  if (parsed.done) return exit_good;
+  if (!parsed.error.empty()) return fail(exit_usage, "fissure: " + parsed.error + " (see fissure --help)");
   return runVerb(verbs);
 }
 

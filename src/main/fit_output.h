@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "study/law_fit.h"
+#include "fit/law_fit.h"
 
 namespace fissure {
 

@@ -5,9 +5,9 @@
 #include <span>
 
 #include "base/error.h"
+#include "fit/law_model.h"
 #include "main/fit_output.h"
 #include "main/text_table.h"
-#include "study/law_model.h"
 
 namespace fissure {
 
@@ -15,8 +15,8 @@ namespace {
 
 constexpr std::size_t kBlock = 512;  // rows that are read at once
 
-const SweepCurve& curveOf(const SweepTable& table, const std::string& name, const std::string& what_for) {
-  for (const SweepCurve& curve : table.layout().curves)
+const CurveQuantity& curveOf(const SweepTable& table, const std::string& name, const std::string& what_for) {
+  for (const CurveQuantity& curve : table.layout().curves)
     if (curve.name == name) return curve;
   throw InputError("the sweep keeps no curve " + name + ", " + what_for +
                    ", expected it among its file's curves");
@@ -92,8 +92,8 @@ class Ranker {
 
   const SweepTable& table_;
   MatchBy by_;
-  const SweepCurve& force_;
-  const SweepCurve* way_ = nullptr;
+  const CurveQuantity& force_;
+  const CurveQuantity* way_ = nullptr;
 };
 
 std::string lawOf(const SweepTable& table, const Misfit& misfit) {
@@ -121,7 +121,7 @@ SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, Matc
 }
 
 void readRanked(const SweepTable& table) {
-  for (const SweepCurve& curve : table.layout().curves) {
+  for (const CurveQuantity& curve : table.layout().curves) {
     if (curve.name != "force" && curve.name != "indentation") continue;
     for (std::size_t first = 0; first < table.runs(); first += kBlock)
       table.curves(curve, first, std::min(kBlock, table.runs() - first));

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "store/sweep_table.h"
-#include "study/curve_rank.h"
+#include "fit/curve_rank.h"
+#include "table/sweep_table.h"
 
 namespace fissure {
 

@@ -1,8 +1,8 @@
 #include "main/page_file.h"
 
 #include "base/error.h"
+#include "files/temporary_file.h"
 #include "process/apart.h"
-#include "store/temporary_file.h"
 
 namespace fissure {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
 
-#include "main/scenario_input.h"
+#include "check/scenario_input.h"
+#include "main/command.h"
 
 namespace fissure {
 
@@ -20,6 +20,6 @@ struct ScenarioOptions {
 };
 
 /// Adds SCENARIO..., --pipeline, --set, --no-frames and --no-expect; `options` must outlive `command`.
-void addScenarioOptions(CLI::App& command, ScenarioOptions& options);
+void addScenarioOptions(Command command, ScenarioOptions& options);
 
 }  // namespace fissure

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <map>
 
-#include "base/summary_unit.h"
 #include "main/text_table.h"
-#include "scenario/scalars.h"
+#include "text/scalars.h"
+#include "text/summary_unit.h"
 
 namespace fissure {
 
@@ -77,7 +77,7 @@ std::string sweepInfoText(const SweepTable& table) {
   text += "\n" + alignedText(rows, 2);
   std::vector<std::string> metrics, curves;
   for (const SweepMetric& metric : layout.metrics) metrics.push_back(withUnitOf(metric.name));
-  for (const SweepCurve& curve : layout.curves)
+  for (const CurveQuantity& curve : layout.curves)
     curves.push_back(curve.name + " (" + curve.units + "), " + std::to_string(layout.curve_time_s.size()) +
                      " instants" + (curve.per_law ? ", each law" : ""));
   text += "\nquantities\n" + listed(metrics) + "\ncurves\n" + listed(curves);
@@ -101,7 +101,7 @@ Json sweepInfoJson(const std::filesystem::path& file, const SweepTable& table) {
   }
   Json metrics = Json::array(), curves = Json::array();
   for (const SweepMetric& metric : layout.metrics) metrics.push_back(metric.name);
-  for (const SweepCurve& curve : layout.curves) curves.push_back(curve.name);
+  for (const CurveQuantity& curve : layout.curves) curves.push_back(curve.name);
   for (const auto& [name, value] : layout.provenance) provenance[name] = value;
   return {{"file", file.string()},     {"title", layout.title},
           {"format", "fissure-sweep"}, {"complete", table.complete()},

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "store/sweep_table.h"
+#include "table/sweep_table.h"
 
 namespace fissure {
 

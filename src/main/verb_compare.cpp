@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "base/error.h"
+#include "files/output_claim.h"
 #include "main/comparison.h"
 #include "main/exit_codes.h"
-#include "main/output_slot.h"
 #include "main/result_json.h"
 #include "main/verbs.h"
 #include "process/apart.h"
@@ -116,33 +116,31 @@ int update(const CompareOptions& options) {
 
 }  // namespace
 
-Verb addCompare(CLI::App& app) {
-  const auto notEmpty = [](const std::string& text) {
+Verb addCompare(Command app) {
+  const auto problemOfChoice = [](const std::string& text) {
     return text.empty() || text.back() == ':' ? "\"" + text + "\" names no file or run" : std::string();
   };
   const auto options = std::make_shared<CompareOptions>();
-  CLI::App* command = app.add_subcommand("compare", "how two results, or two runs of one, differ");
-  command->add_option("A", options->a, "result file, or FILE:NAME for one run of it")
-      ->required()
-      ->check(notEmpty);
+  Command command = app.command("compare", "how two results, or two runs of one, differ");
+  command.option("A", options->a, "result file, or FILE:NAME for one run of it")
+      .required()
+      .check(problemOfChoice);
   command
-      ->add_option("B", options->b,
-                   "what it is compared with: a result, a reference, FILE:NAME, or :NAME of the same file")
-      ->required()
-      ->check(notEmpty);
-  command->add_option("--tolerance", options->tolerance_file,
-                      "YAML file with a tolerance per quantity; without it nothing may differ");
-  command->add_flag("--exact", options->settings.exact, "bit for bit, whatever the tolerances say");
+      .option("B", options->b,
+              "what it is compared with: a result, a reference, FILE:NAME, or :NAME of the same file")
+      .required()
+      .check(problemOfChoice);
+  command.option("--tolerance", options->tolerance_file,
+                 "YAML file with a tolerance per quantity; without it nothing may differ");
+  command.flag("--exact", options->settings.exact, "bit for bit, whatever the tolerances say");
   command
-      ->add_option("--max-shift", options->settings.max_shift_s,
-                   "how far a shift in time is looked for, seconds")
-      ->check(CLI::Range(0.0, 1e6))
-      ->capture_default_str();
-  command->add_flag("--all", options->all, "show equal quantities too");
-  command->add_flag("--json", options->json, "the comparison for machines");
-  command->add_flag(
-      "--update", options->update,
-      "make B a small reference of A: the same summaries, a few rows of each series, no pictures");
+      .option("--max-shift", options->settings.max_shift_s, "how far a shift in time is looked for, seconds")
+      .between(0.0, 1e6)
+      .showDefault();
+  command.flag("--all", options->all, "show equal quantities too");
+  command.flag("--json", options->json, "the comparison for machines");
+  command.flag("--update", options->update,
+               "make B a small reference of A: the same summaries, a few rows of each series, no pictures");
   return {command, [options] {
             if (!options->tolerance_file.empty())
               options->settings.tolerances = loadTolerances(options->tolerance_file);

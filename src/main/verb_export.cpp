@@ -4,12 +4,12 @@
 #include <memory>
 
 #include "base/error.h"
+#include "files/output_claim.h"
 #include "main/exit_codes.h"
-#include "main/output_slot.h"
 #include "main/verbs.h"
+#include "paraview/paraview_export.h"
 #include "process/apart.h"
 #include "process/interrupt.h"
-#include "store/paraview_export.h"
 #include "store/result_file.h"
 
 namespace fissure {
@@ -116,20 +116,17 @@ int exportResult(const ExportOptions& options) {
 
 }  // namespace
 
-Verb addExport(CLI::App& app) {
+Verb addExport(Command app) {
   const auto options = std::make_shared<ExportOptions>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.command(
       "export", "snapshots of a result for ParaView: a .xdmf a run (any version), .vtkhdf files (5.12 on)");
-  command->add_option("RESULT", options->result, "result file with snapshots")->required()->check(notEmpty);
+  command.option("RESULT", options->result, "result file with snapshots").required().notEmpty();
+  command.option("--pipeline", options->pipelines, "only this run (repeatable); default: all with snapshots")
+      .repeated();
   command
-      ->add_option("--pipeline", options->pipelines,
-                   "only this run (repeatable); default: all with snapshots")
-      ->allow_extra_args(false);
-  command
-      ->add_option("-o,--output", options->folder,
-                   "folder for the files; default: <RESULT without .h5>.paraview")
-      ->check(notEmpty);
-  command->add_flag("--force", options->force, "replace existing files");
+      .option("-o,--output", options->folder, "folder for the files; default: <RESULT without .h5>.paraview")
+      .notEmpty();
+  command.flag("--force", options->force, "replace existing files");
   return {command, [options] { return exportResult(*options); }};
 }
 

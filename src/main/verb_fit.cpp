@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "fit/simulated_model.h"
 #include "main/comparison.h"
 #include "main/exit_codes.h"
 #include "main/fit_output.h"
@@ -11,9 +12,8 @@
 #include "main/result_json.h"
 #include "main/verbs.h"
 #include "process/apart.h"
-#include "scenario/did_you_mean.h"
-#include "scenario/scalars.h"
-#include "study/simulated_model.h"
+#include "text/did_you_mean.h"
+#include "text/scalars.h"
 
 namespace fissure {
 
@@ -210,48 +210,42 @@ int fit(const FitOptions& options) {
 
 }  // namespace
 
-Verb addFit(CLI::App& app) {
+Verb addFit(Command app) {
   const auto options = std::make_shared<FitOptions>();
-  CLI::App* command =
-      app.add_subcommand("fit", "force laws fitted to measured curves, and sweeps ranked by them");
-  command->add_option("CURVE", options->files, "tables (CSV, TSV) of measured points, one line a point")
-      ->required()
-      ->check(notEmpty);
-  command->add_option(
+  Command command = app.command("fit", "force laws fitted to measured curves, and sweeps ranked by them");
+  command.option("CURVE", options->files, "tables (CSV, TSV) of measured points, one line a point")
+      .required()
+      .notEmpty();
+  command.option(
       "--columns", options->columns,
       "what the columns are: depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe; by name or "
       "number, units m, mm, N, mN, s, ms or a factor (default: by their names, as depth_mm, force_N, "
       "time_s)");
-  CLI::Option* law =
-      command->add_option("--law", options->law, "hunt_crossley, kelvin_voigt or linear_elastic")
-          ->capture_default_str();
-  CLI::Option* free = command->add_option(
-      "--free", options->free,
-      "what is fitted, as k,n,F0 (default: all of k, lambda, n, F0 that is not fixed); F0 and "
-      "lambda are 0 else");
-  command->add_option("--fix", options->fixed, "COEFFICIENT=NUMBER: not fitted; may be repeated")
-      ->allow_extra_args(false);
-  CLI::Option* result = command->add_option(
+  const Option law =
+      command.option("--law", options->law, "hunt_crossley, kelvin_voigt or linear_elastic").showDefault();
+  const Option free =
+      command.option("--free", options->free,
+                     "what is fitted, as k,n,F0 (default: all of k, lambda, n, F0 that is not fixed); F0 and "
+                     "lambda are 0 else");
+  command.option("--fix", options->fixed, "COEFFICIENT=NUMBER: not fitted; may be repeated").repeated();
+  const Option result = command.option(
       "--result", options->result,
       "RESULT[:RUN]: the law summed over the triangles of this simulation (record: {force_inputs: true})");
-  CLI::Option* sweep =
-      command
-          ->add_option("--sweep", options->sweep,
-                       "DIR: fit nothing, rank its runs by their misfit; F0 is free unless fixed")
-          ->excludes(result)
-          ->excludes(law)
-          ->excludes(free);
+  const Option sweep = command
+                           .option("--sweep", options->sweep,
+                                   "DIR: fit nothing, rank its runs by their misfit; F0 is free unless fixed")
+                           .without(result)
+                           .without(law)
+                           .without(free);
   command
-      ->add_option("--match", options->match,
-                   "what a curve and a simulation have in common: depth (way of the tool since first "
-                   "contact, until it is "
-                   "deepest) or time (default: depth, where the curve has depths)")
-      ->check(CLI::IsMember({"depth", "time"}));
-  command->add_option("--best", options->best, "how many runs of a sweep are shown")
-      ->capture_default_str()
-      ->needs(sweep);
-  command->add_flag("--together", options->together, "one law for the points of all curves");
-  command->add_flag("--json", options->json, "the fits for machines");
+      .option("--match", options->match,
+              "what a curve and a simulation have in common: depth (way of the tool since first "
+              "contact, until it is "
+              "deepest) or time (default: depth, where the curve has depths)")
+      .oneOf({"depth", "time"});
+  command.option("--best", options->best, "how many runs of a sweep are shown").showDefault().needs(sweep);
+  command.flag("--together", options->together, "one law for the points of all curves");
+  command.flag("--json", options->json, "the fits for machines");
   return {command, [options] { return fit(*options); }};
 }
 

@@ -72,12 +72,12 @@ int showFile(const InfoOptions& options) {
 
 }  // namespace
 
-Verb addInfo(CLI::App& app) {
+Verb addInfo(Command app) {
   const auto options = std::make_shared<InfoOptions>();
-  CLI::App* command =
-      app.add_subcommand("info", "what a result file or a sweep's table holds and where it comes from");
-  command->add_option("FILE", options->file, "result file, or sweep.h5")->required();
-  command->add_flag("--json", options->json, "the same for machines");
+  Command command =
+      app.command("info", "what a result file or a sweep's table holds and where it comes from");
+  command.option("FILE", options->file, "result file, or sweep.h5").required();
+  command.flag("--json", options->json, "the same for machines");
   return {command, [options] { return showFile(*options); }};
 }
 

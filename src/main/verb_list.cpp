@@ -53,8 +53,8 @@ int listCatalog() {
 
 }  // namespace
 
-Verb addList(CLI::App& app) {
-  return {app.add_subcommand("list", "what a scenario can choose from"), [] { return listCatalog(); }};
+Verb addList(Command app) {
+  return {app.command("list", "what a scenario can choose from"), [] { return listCatalog(); }};
 }
 
 }  // namespace fissure

@@ -2,16 +2,16 @@
 #include <iostream>
 #include <memory>
 
+#include "check/run_plan.h"
 #include "main/exit_codes.h"
 #include "main/result_table.h"
-#include "main/run_plan.h"
 #include "main/scenario_options.h"
 #include "main/text_table.h"
 #include "main/verbs.h"
-#include "mesh/fixed_vertices.h"
-#include "mesh/place.h"
 #include "motion/motion.h"
 #include "scenario/rigid_tools.h"
+#include "scene/fixed_vertices.h"
+#include "scene/place.h"
 
 namespace fissure {
 
@@ -112,10 +112,10 @@ int printPlans(const ScenarioOptions& options) {
 
 }  // namespace
 
-Verb addPlan(CLI::App& app) {
+Verb addPlan(Command app) {
   const auto options = std::make_shared<ScenarioOptions>();
-  CLI::App* command = app.add_subcommand("plan", "what each run will do and keep, without running it");
-  addScenarioOptions(*command, *options);
+  Command command = app.command("plan", "what each run will do and keep, without running it");
+  addScenarioOptions(command, *options);
   return {command, [options] { return printPlans(*options); }};
 }
 

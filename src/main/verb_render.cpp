@@ -1,12 +1,14 @@
 #include <algorithm>
+#include <iostream>
 #include <memory>
 
 #include "base/error.h"
 #include "main/comparison.h"
-#include "main/render_job.h"
+#include "main/exit_codes.h"
 #include "main/verbs.h"
+#include "picture/render_job.h"
 #include "picture/video_file.h"
-#include "scenario/scalars.h"
+#include "text/scalars.h"
 
 namespace fissure {
 
@@ -69,77 +71,73 @@ RenderJob jobOf(const RenderOptions& options) {
   return job;
 }
 
-/// CLI::Range lets NaN pass.
-CLI::Validator between(double low, double high) {
-  const std::string expected = ": expected a number from " + formatReal(low) + " to " + formatReal(high);
-  return CLI::Validator(
-      [=](const std::string& given) {
-        const std::optional<double> value = toReal(given);
-        return value && *value >= low && *value <= high ? std::string() : given + expected;
-      },
-      "");
+int renderAndTell(const RenderJob& job) {
+  const RenderOutcome made = render(job);
+  if (made.interrupted) {
+    std::cerr << "interrupted: finished pictures are kept, no video is\n";
+    return exit_interrupted;
+  }
+  if (job.folder) std::cout << "pictures: " << made.pictures << " in " << job.folder->string() << "\n";
+  if (made.video_error) std::rethrow_exception(made.video_error);
+  if (job.video)
+    std::cout << "video: " << job.video->string() << ", " << made.frames << " frames, "
+              << static_cast<double>(made.frames) / job.frames_per_s << " s\n";
+  return exit_good;
 }
 
-CLI::Option* addVector(CLI::App& command, const std::string& name, std::vector<double>& values,
-                       const std::string& what) {
-  return command.add_option(name, values, what)->expected(3)->delimiter(',');
+void addVector(Command command, const std::string& name, std::vector<double>& values,
+               const std::string& what) {
+  command.option(name, values, what).count(3).commas();
 }
 
-void addChoices(CLI::App& command, RenderOptions& options) {
-  command.add_option("--pipeline", options.runs, "only the runs of this name; may be repeated")
-      ->allow_extra_args(false);
-  CLI::Option* const separate =
-      command.add_flag("--separate", options.separate, "a picture for each run, as the run draws its frames");
-  separate->excludes("--video");
-  command.add_option("--columns", options.columns, "panels in a row")
-      ->check(between(1, 1000))
-      ->capture_default_str();
-  const auto seconds = between(-1e9, 1e9);
-  CLI::Option* const at =
-      command.add_option("--at", options.at_s, "the snapshots nearest to these times, seconds: 0.1,0.2");
-  at->delimiter(',')->allow_extra_args(false)->check(seconds);
-  command.add_option("--from", options.from_s, "not before this time, seconds")->check(seconds)->excludes(at);
-  command.add_option("--to", options.to_s, "not after this time, seconds")->check(seconds)->excludes(at);
-  command.add_option("--every", options.every_s, "at most one snapshot in this time, seconds")
-      ->check(between(1e-9, 1e9))
-      ->excludes(at);
+void addChoices(Command command, RenderOptions& options) {
+  command.option("--pipeline", options.runs, "only the runs of this name; may be repeated").repeated();
+  Option separate =
+      command.flag("--separate", options.separate, "a picture for each run, as the run draws its frames");
+  separate.without("--video");
+  command.option("--columns", options.columns, "panels in a row").between(1.0, 1000.0).showDefault();
+  Option at = command.option("--at", options.at_s, "the snapshots nearest to these times, seconds: 0.1,0.2");
+  at.commas().repeated().between(-1e9, 1e9);
+  command.option("--from", options.from_s, "not before this time, seconds").between(-1e9, 1e9).without(at);
+  command.option("--to", options.to_s, "not after this time, seconds").between(-1e9, 1e9).without(at);
+  command.option("--every", options.every_s, "at most one snapshot in this time, seconds")
+      .between(1e-9, 1e9)
+      .without(at);
 }
 
-void addLooks(CLI::App& command, RenderOptions& options) {
-  command.add_option("--size", options.size, "WxH of a panel in pixels; default: of the scenario's frames");
+void addLooks(Command command, RenderOptions& options) {
+  command.option("--size", options.size, "WxH of a panel in pixels; default: of the scenario's frames");
   addVector(command, "--camera-position", options.camera_position_m,
             "where the camera stands: x y z, metres");
   addVector(command, "--look-at", options.look_at_m, "what it looks at: x y z, metres");
   addVector(command, "--up", options.up, "what is up in the pictures: x y z");
-  command.add_option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees")
-      ->check(between(1, 150));
-  command.add_option("--fps", options.frames_per_s, "frames of the video in a second")
-      ->check(between(1, 240))
-      ->capture_default_str();
+  command.option("--field-of-view", options.field_of_view_deg, "its vertical angle of view, degrees")
+      .between(1.0, 150.0);
+  command.option("--fps", options.frames_per_s, "frames of the video in a second")
+      .between(1.0, 240.0)
+      .showDefault();
   command
-      .add_option("--slow-motion", options.slow_motion,
-                  "how many times slower than simulated; 0.5: twice as fast")
-      ->check(between(1e-3, 1e6))
-      ->capture_default_str();
+      .option("--slow-motion", options.slow_motion,
+              "how many times slower than simulated; 0.5: twice as fast")
+      .between(1e-3, 1e6)
+      .showDefault();
 }
 
 }  // namespace
 
-Verb addRender(CLI::App& app) {
+Verb addRender(Command app) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command =
-      app.add_subcommand("render", "pictures and videos of a result's snapshots, its runs side by side");
-  command->add_option("RESULT", options->result, "result file, or FILE:NAME for one run of it")
-      ->required()
-      ->check(notEmpty);
-  command->add_option("-o,--output", options->folder, "folder for the pictures: <name>_<time>s.png")
-      ->check(notEmpty);
-  command->add_option("--video", options->video, "video of them, made by ffmpeg: .mp4, .webm or .gif")
-      ->check(notEmpty);
-  addChoices(*command, *options);
-  addLooks(*command, *options);
-  command->add_flag("--force", options->force, "replace existing files");
-  return {command, [options] { return render(jobOf(*options)); }};
+  Command command =
+      app.command("render", "pictures and videos of a result's snapshots, its runs side by side");
+  command.option("RESULT", options->result, "result file, or FILE:NAME for one run of it")
+      .required()
+      .notEmpty();
+  command.option("-o,--output", options->folder, "folder for the pictures: <name>_<time>s.png").notEmpty();
+  command.option("--video", options->video, "video of them, made by ffmpeg: .mp4, .webm or .gif").notEmpty();
+  addChoices(command, *options);
+  addLooks(command, *options);
+  command.flag("--force", options->force, "replace existing files");
+  return {command, [options] { return renderAndTell(jobOf(*options)); }};
 }
 
 }  // namespace fissure

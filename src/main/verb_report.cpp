@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "main/build_info.h"
+#include "batch/build_info.h"
+#include "files/output_claim.h"
 #include "main/exit_codes.h"
-#include "main/output_slot.h"
 #include "main/page_file.h"
 #include "main/verbs.h"
 #include "process/apart.h"
@@ -15,7 +15,7 @@
 #include "report/page_data.h"
 #include "report/sweep_page.h"
 #include "report/video.h"
-#include "store/sweep_table.h"
+#include "table/sweep_table.h"
 
 namespace fissure {
 
@@ -186,24 +186,23 @@ int reportResult(const ReportOptions& options) {
 
 }  // namespace
 
-Verb addReport(CLI::App& app) {
+Verb addReport(Command app) {
   const auto options = std::make_shared<ReportOptions>();
-  CLI::App* command = app.add_subcommand(
+  Command command = app.command(
       "report", "one page for a browser that shows a result, a sweep, or a table of all below a folder");
   command
-      ->add_option("RESULT", options->input,
-                   "result file, sweep.h5, a sweep's folder, or a folder with result files below it")
-      ->required()
-      ->check(notEmpty);
+      .option("RESULT", options->input,
+              "result file, sweep.h5, a sweep's folder, or a folder with result files below it")
+      .required()
+      .notEmpty();
   command
-      ->add_option("-o,--output", options->output,
-                   "page; default: the result's name with .html, or index.html in the folder. The pages of a "
-                   "folder's results lie beside it")
-      ->check(notEmpty);
-  command
-      ->add_option("--video", options->video, "MP4 or WebM file that becomes part of the page, at most 16 MB")
-      ->check(notEmpty);
-  command->add_flag("--force", options->force, "replace existing pages");
+      .option("-o,--output", options->output,
+              "page; default: the result's name with .html, or index.html in the folder. The pages of a "
+              "folder's results lie beside it")
+      .notEmpty();
+  command.option("--video", options->video, "MP4 or WebM file that becomes part of the page, at most 16 MB")
+      .notEmpty();
+  command.flag("--force", options->force, "replace existing pages");
   return {command, [options] {
             std::error_code ignored;
             const ReportOptions resolved = sweepOf(*options);

@@ -5,7 +5,7 @@
 #include <memory>
 
 #include "base/error.h"
-#include "main/batch.h"
+#include "batch/batch.h"
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
@@ -110,13 +110,27 @@ void printJson(const std::vector<Experiment>& experiments, int code) {
       {{"exit_code", code}, {"results", results}, {"expectations", expectations}, {"kept_parts", parts}});
 }
 
+int exitCode(BatchOutcome outcome) {
+  switch (outcome) {
+    case BatchOutcome::good:
+      return exit_good;
+    case BatchOutcome::unexpected:
+      return exit_differs;
+    case BatchOutcome::failed:
+      return exit_run_failed;
+    case BatchOutcome::interrupted:
+      return exit_interrupted;
+  }
+  throw std::logic_error("no such outcome of a batch");
+}
+
 int runScenarios(const RunOptions& options, const std::string& command_line) {
   Interrupt interrupt;  // before the first file is made, so that none is left behind
   std::vector<Experiment> experiments = prepare(options);
   ProgressDisplay display(std::cerr, STDERR_FILENO);
   Batch batch(experiments, command_line, display);
   batch.run(options.slots, interrupt);
-  const int code = batch.exitCode();
+  const int code = exitCode(batch.outcome());
   if (options.json)
     printJson(experiments, code);
   else
@@ -126,21 +140,19 @@ int runScenarios(const RunOptions& options, const std::string& command_line) {
 
 }  // namespace
 
-Verb addRun(CLI::App& app, const std::string& command_line) {
+Verb addRun(Command app, const std::string& command_line) {
   const auto options = std::make_shared<RunOptions>();
-  CLI::App* command = app.add_subcommand("run", "simulate scenarios and write one result file for each");
-  addScenarioOptions(*command, options->scenarios);
-  command->add_option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
-      ->check(notEmpty);
-  command->add_flag("--force", options->rules.replace, "replace an existing result");
-  command->add_flag("--keep-parts", options->rules.keep_parts,
-                    "keep what unfinished runs have written, as <result>.<run>.part, for salvage");
-  command
-      ->add_option("-j,--jobs", options->slots,
-                   "runs side by side; more than one disturbs the measured times")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_flag("--json", options->json, "the table for machines, on standard output");
+  Command command = app.command("run", "simulate scenarios and write one result file for each");
+  addScenarioOptions(command, options->scenarios);
+  command.option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
+      .notEmpty();
+  command.flag("--force", options->rules.replace, "replace an existing result");
+  command.flag("--keep-parts", options->rules.keep_parts,
+               "keep what unfinished runs have written, as <result>.<run>.part, for salvage");
+  command.option("-j,--jobs", options->slots, "runs side by side; more than one disturbs the measured times")
+      .between(1, 1024)
+      .showDefault();
+  command.flag("--json", options->json, "the table for machines, on standard output");
   return {command, [options, command_line] { return runScenarios(*options, command_line); }};
 }
 

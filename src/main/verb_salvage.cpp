@@ -3,10 +3,10 @@
 #include <memory>
 
 #include "base/error.h"
-#include "main/assemble_apart.h"
+#include "batch/assemble_apart.h"
+#include "batch/provenance.h"
+#include "files/output_claim.h"
 #include "main/exit_codes.h"
-#include "main/output_slot.h"
-#include "main/provenance.h"
 #include "main/result_table.h"
 #include "main/verbs.h"
 #include "process/apart.h"
@@ -62,20 +62,20 @@ int salvage(const SalvageOptions& options, const std::string& command_line) {
 
 }  // namespace
 
-Verb addSalvage(CLI::App& app, const std::string& command_line) {
+Verb addSalvage(Command app, const std::string& command_line) {
   const auto options = std::make_shared<SalvageOptions>();
-  CLI::App* command =
-      app.add_subcommand("salvage", "make a result of what a run that was killed had brought to the disk");
+  Command command =
+      app.command("salvage", "make a result of what a run that was killed had brought to the disk");
   command
-      ->add_option("PART", options->part,
-                   "part file: <result>.<run>.part, or .<result>.*/*.part after the death of fissure itself")
-      ->required()
-      ->check(notEmpty);
+      .option("PART", options->part,
+              "part file: <result>.<run>.part, or .<result>.*/*.part after the death of fissure itself")
+      .required()
+      .notEmpty();
   command
-      ->add_option("-o,--output", options->output,
-                   "result file; default: results/<scenario's name>.<run>.salvaged.h5")
-      ->check(notEmpty);
-  command->add_flag("--force", options->force, "replace an existing result");
+      .option("-o,--output", options->output,
+              "result file; default: results/<scenario's name>.<run>.salvaged.h5")
+      .notEmpty();
+  command.flag("--force", options->force, "replace an existing result");
   return {command, [options, command_line] { return salvage(*options, command_line); }};
 }
 

@@ -7,20 +7,20 @@
 #include <set>
 
 #include "base/error.h"
-#include "main/build_info.h"
+#include "batch/build_info.h"
+#include "batch/provenance.h"
 #include "main/exit_codes.h"
-#include "main/provenance.h"
 #include "main/result_json.h"
-#include "main/sweep_estimate.h"
-#include "main/sweep_planning.h"
-#include "main/sweep_results.h"
-#include "main/sweep_session.h"
-#include "main/sweep_slurm.h"
+#include "main/slurm_options.h"
 #include "main/text_table.h"
 #include "main/verbs.h"
-#include "scenario/scalars.h"
-#include "scenario/text_file.h"
-#include "study/sweep_merge.h"
+#include "sweep/sweep_estimate.h"
+#include "sweep/sweep_merge.h"
+#include "sweep/sweep_planning.h"
+#include "sweep/sweep_results.h"
+#include "sweep/sweep_session.h"
+#include "text/scalars.h"
+#include "text/text_file.h"
 
 namespace fissure {
 
@@ -343,45 +343,41 @@ int mergeFolder(const FolderOptions& options, const std::string& command_line) {
                 command_line);
 }
 
-CLI::App* addFolderVerb(CLI::App& parent, const char* name, const char* help, FolderOptions& options) {
-  CLI::App* command = parent.add_subcommand(name, help);
-  command->add_option("folder", options.folder, "folder of the sweep")->required()->check(notEmpty);
-  command->add_flag("--json", options.json, "for machines, on standard output");
+Command addFolderVerb(Command parent, const char* name, const char* help, FolderOptions& options) {
+  Command command = parent.command(name, help);
+  command.option("folder", options.folder, "folder of the sweep").required().notEmpty();
+  command.flag("--json", options.json, "for machines, on standard output");
   return command;
 }
 
-void addOptions(CLI::App& command, SweepOptions& options) {
-  command.add_option("sweep", options.sweep, "sweep file, or the folder of a sweep to go on with")
-      ->check(notEmpty);
+void addOptions(Command command, SweepOptions& options) {
+  command.option("sweep", options.sweep, "sweep file, or the folder of a sweep to go on with").notEmpty();
   command
-      .add_option("-o,--output", options.folder,
-                  "folder of the sweep; default: results/<name of the sweep file>")
-      ->check(notEmpty);
-  command.add_option("-j,--jobs", options.slots, "simulations side by side; default: 1")
-      ->check(CLI::Range(1, 1024));
-  command.add_flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
-  command.add_flag("--yes", options.many, "plan more than 100,000 runs");
-  command.add_option("--shard", options.shard,
-                     "I/N: only this one of N shares of the simulations; then `sweep merge`");
-  command.add_flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");
+      .option("-o,--output", options.folder, "folder of the sweep; default: results/<name of the sweep file>")
+      .notEmpty();
+  command.option("-j,--jobs", options.slots, "simulations side by side; default: 1").between(1, 1024);
+  command.flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
+  command.flag("--yes", options.many, "plan more than 100,000 runs");
+  command.option("--shard", options.shard,
+                 "I/N: only this one of N shares of the simulations; then `sweep merge`");
+  command.flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");
   addSlurmOptions(command, options.slurm);
-  command.add_flag("--json", options.json, "what became of the runs, for machines, on standard output");
+  command.flag("--json", options.json, "what became of the runs, for machines, on standard output");
 }
 
 }  // namespace
 
-Verb addSweep(CLI::App& app, const std::string& command_line) {
-  CLI::App* command = app.add_subcommand("sweep", "run a scenario at many points of its parameters");
+Verb addSweep(Command app, const std::string& command_line) {
+  Command command = app.command("sweep", "run a scenario at many points of its parameters");
   const auto options = std::make_shared<SweepOptions>();
   options->command_line = command_line;
-  addOptions(*command, *options);
+  addOptions(command, *options);
   const auto folder = std::make_shared<FolderOptions>();
-  CLI::App* status = addFolderVerb(*command, "status", "how far a sweep is, from its files alone", *folder);
-  CLI::App* merge =
-      addFolderVerb(*command, "merge", "write sweep.h5 and sweep.csv of what is there", *folder);
+  Command status = addFolderVerb(command, "status", "how far a sweep is, from its files alone", *folder);
+  Command merge = addFolderVerb(command, "merge", "write sweep.h5 and sweep.csv of what is there", *folder);
   return {command, [=] {
-            if (status->parsed()) return showStatus(*folder);
-            if (merge->parsed()) return mergeFolder(*folder, command_line);
+            if (status.given()) return showStatus(*folder);
+            if (merge.given()) return mergeFolder(*folder, command_line);
             if (options->sweep.empty()) throw InputError("sweep: no sweep file is named, expected one");
             return runSweep(*options);
           }};

@@ -31,10 +31,10 @@ int validateScenarios(const ScenarioOptions& options) {
 
 }  // namespace
 
-Verb addValidate(CLI::App& app) {
+Verb addValidate(Command app) {
   const auto options = std::make_shared<ScenarioOptions>();
-  CLI::App* command = app.add_subcommand("validate", "check scenarios without simulating");
-  addScenarioOptions(*command, *options);
+  Command command = app.command("validate", "check scenarios without simulating");
+  addScenarioOptions(command, *options);
   return {command, [options] { return validateScenarios(*options); }};
 }
 

@@ -5,7 +5,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::bad_input_test {
 namespace {
 
 void expectRefused(const Outcome& outcome, const std::string& fragment) {
@@ -227,4 +227,4 @@ TEST(BadResult, InfoRefusesWhatIsNoResult) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::bad_input_test

@@ -9,7 +9,7 @@
 #include "store/read_series.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::claims_test {
 namespace {
 
 double quantity(const ResultInfo& info, const std::string& pipeline, const std::string& name) {
@@ -247,4 +247,4 @@ TEST(Claims, OnACoarseMeshVertexContactsCloseThePlateThatNodesAloneLeaveOpen) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::claims_test

@@ -4,7 +4,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::compare_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ TEST_F(Compare, JsonIsForMachines) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::compare_test

@@ -9,7 +9,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::cost_test {
 namespace {
 
 /// Everything mapped into the worker of an endless run, once it is past its start.
@@ -98,4 +98,4 @@ TEST(Cost, PlanAndRunAgreeOnToolNodes) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::cost_test

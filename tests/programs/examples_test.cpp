@@ -9,7 +9,7 @@
 #include "scenarios.h"
 #include "store/read_series.h"
 
-namespace fissure::programs {
+namespace fissure::programs::examples_test {
 namespace {
 
 bool isPicture(const Folder& folder, const std::string& name) {
@@ -53,4 +53,4 @@ TEST(Examples, LoadPlotCompareAndMontageReadAResult) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::examples_test

@@ -5,7 +5,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::export_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST(Export, AFullDiskLeavesNothingHalfWritten) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::export_test

@@ -13,7 +13,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -310,4 +310,4 @@ TEST(Inputs, RemovedLogFailsTheRuns) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::fault_test

@@ -5,13 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "program.h"
-#include "scenario/scalars.h"
 #include "scenarios.h"
 #include "store/force_inputs.h"
 #include "store/read_series.h"
-#include "store/sweep_table_writer.h"
+#include "table/sweep_table_writer.h"
+#include "text/scalars.h"
 
-namespace fissure::programs {
+namespace fissure::programs::fit_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -278,4 +278,4 @@ TEST(Fit, ACurveThatCannotBeRankedDoesNotStopTheOthers) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::fit_test

@@ -9,9 +9,9 @@
 #include "scenario/load.h"
 #include "scenarios.h"
 #include "store/read_series.h"
-#include "study/law_family.h"
+#include "task/law_family.h"
 
-namespace fissure::programs {
+namespace fissure::programs::force_inputs_test {
 namespace {
 
 /// Pressed in and drawn back, so that triangles pull.
@@ -120,4 +120,4 @@ TEST(ForceInputs, ArePlannedShownAndAbsentUnlessAskedFor) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::force_inputs_test

@@ -8,7 +8,7 @@
 #include "store/read_series.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::force_test {
 namespace {
 
 const std::string laws =
@@ -90,4 +90,4 @@ TEST(Force, WithoutADeviceNothingIsSaturated) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::force_test

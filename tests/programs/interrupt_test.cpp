@@ -8,7 +8,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::interrupt_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -195,4 +195,4 @@ TEST(FullDisk, StandardOutput) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::interrupt_test

@@ -9,7 +9,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::mesh_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -308,4 +308,4 @@ TEST(Mesh, DamagedFilesAreRefusedOrGood) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::mesh_test

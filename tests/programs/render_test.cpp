@@ -7,7 +7,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::render_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -335,4 +335,4 @@ TEST(Render, OnlyItLoadsTheRenderer) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::render_test

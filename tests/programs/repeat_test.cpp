@@ -5,7 +5,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::repeat_test {
 namespace {
 
 const std::string all_pipelines =
@@ -56,4 +56,4 @@ TEST(Repeat, ResolvedScenarioOfAResultRunsAgainToTheSameState) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::repeat_test

@@ -6,7 +6,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::report_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -161,4 +161,4 @@ TEST_F(Report, FoldersThatCannotBeReported) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::report_test

@@ -4,7 +4,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::reproduce_test {
 namespace {
 
 TEST(Reproduce, ThePageFollowsTheNumbers) {
@@ -19,4 +19,4 @@ TEST(Reproduce, ThePageFollowsTheNumbers) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::reproduce_test

@@ -11,7 +11,7 @@
 #include "store/read_series.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::run_test {
 namespace {
 
 using Names = std::vector<std::string>;
@@ -275,4 +275,4 @@ TEST(Run, ProgressLineOnATerminal) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::run_test

@@ -12,7 +12,7 @@
 #include "store/read_series.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::salvage_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -319,4 +319,4 @@ TEST(Salvage, XarrayReadsIt) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::salvage_test

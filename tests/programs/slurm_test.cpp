@@ -10,7 +10,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::slurm_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -377,4 +377,4 @@ TEST_F(SlurmScriptTest, DoesNotQueueAgainForNothing) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::slurm_test

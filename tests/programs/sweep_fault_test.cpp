@@ -14,7 +14,7 @@
 #include "scenarios.h"
 #include "sweeps.h"
 
-namespace fissure::programs {
+namespace fissure::programs::sweep_fault_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -249,4 +249,4 @@ TEST_F(Disturbed, AnotherWorkerProgramIsAnotherPlan) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::sweep_fault_test

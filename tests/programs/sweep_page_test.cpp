@@ -3,10 +3,10 @@
 
 #include <nlohmann/json.hpp>
 
-#include "../store/sample_sweep.h"
 #include "program.h"
+#include "table/sample_sweep.h"
 
-namespace fissure::programs {
+namespace fissure::programs::sweep_page_test {
 namespace {
 
 bool has(const std::string& text, const std::string& words) {
@@ -66,4 +66,4 @@ TEST(SweepReport, OfADamagedTableIsOneLine) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::sweep_page_test

@@ -8,10 +8,10 @@
 #include "program.h"
 #include "scenarios.h"
 #include "store/result_file.h"
-#include "store/sweep_table.h"
 #include "sweeps.h"
+#include "table/sweep_table.h"
 
-namespace fissure::programs {
+namespace fissure::programs::sweep_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -28,7 +28,7 @@ TEST(Sweep, EveryRowIsWhatARunOfItsPointGives) {
   const SweepTable table(folder / "out/sweep.h5");
   ASSERT_EQ(table.runs(), 32u);
   EXPECT_TRUE(table.complete());
-  const SweepCurve& force = table.layout().curves.front();
+  const CurveQuantity& force = table.layout().curves.front();
   ASSERT_EQ(force.name, "force");
   for (const std::size_t row : {0u, 7u, 18u, 31u}) {
     std::vector<std::string> words = {"run", "press.yaml", "-o", "one.h5", "--force"};
@@ -399,4 +399,4 @@ TEST(BadSweeps, EmptyFileAndFoldersOfOthers) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::sweep_test

@@ -8,7 +8,7 @@
 #include "scenarios.h"
 #include "store/result_file.h"
 
-namespace fissure::programs {
+namespace fissure::programs::verbs_test {
 namespace {
 
 TEST(Verbs, HelpAndVersionAreGood) {
@@ -122,4 +122,4 @@ TEST(OtherTools, H5dumpReadsTheWholeFile) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::verbs_test

@@ -4,7 +4,7 @@
 #include "program.h"
 #include "scenarios.h"
 
-namespace fissure::programs {
+namespace fissure::programs::walk_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -75,4 +75,4 @@ TEST_F(Walk, WhatIsLackingIsNamed) {
 }
 
 }  // namespace
-}  // namespace fissure::programs
+}  // namespace fissure::programs::walk_test

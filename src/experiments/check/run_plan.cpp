@@ -1,0 +1,77 @@
+#include "check/run_plan.h"
+
+#include <cmath>
+
+#include "base/steps.h"
+#include "measure/probes.h"
+#include "scene/build_scene.h"
+
+namespace fissure {
+
+namespace {
+
+/// How often an interval is due: in the first step, then at most once a step.
+std::int64_t dueCount(const CheckedScenario& checked, double every_s) {
+  const double step_s = checked.loaded.scenario.time.step_s;
+  const double end_s = static_cast<double>(checked.steps) * step_s;
+  return 1 + std::llround(intervalsIn(end_s, std::max(every_s, step_s)));
+}
+
+double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
+  double row_bytes = 0;
+  for (const Series& series : layout.series())
+    row_bytes += static_cast<double>(series.columns) * (series.type == ValueType::flag ? 1 : 8);
+  return row_bytes * static_cast<double>(checked.steps + 1);
+}
+
+RecordLayout layoutIn(const Scenario& scenario, const Scene& scene) {
+  RecordLayout layout;
+  layout.add({"time", "s", "simulated time", ValueType::real, {}});
+  for (const auto& probe : makeProbes(scenario, scene)) probe->declare(layout);
+  return layout;
+}
+
+RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const Scene scene = buildScene(scenario, pipeline.usesNodes());
+  const RecordLayout layout = layoutIn(scenario, scene);
+
+  RunPlan plan;
+  plan.pipeline = &pipeline;
+  plan.settling_steps = std::llround(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
+  plan.steps = checked.steps;
+  plan.nodes = scene.nodeCount();
+  for (const Series& series : layout.series()) plan.series.push_back(series.name);
+  plan.record_bytes = recordBytes(checked, layout);
+  // Running number, triangle, area, direction; deformation and rate of each law.
+  if (scenario.record.force_inputs)
+    plan.force_input_bytes = 48 + 16 * static_cast<int>(scenario.force.size());
+  if (scenario.record.snapshots_every_s) {
+    plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
+    const double clamps = scene.hasHandles() ? static_cast<double>(scene.clamps.size()) : 0;
+    // Time, positions and states; the poses of clamps.
+    const double one = 8.0 + 25.0 * scene.vertexCount() + 1.0 * scene.nodeCount() + 56.0 * clamps;
+    plan.snapshot_bytes = one * static_cast<double>(plan.snapshots);
+  }
+  if (scenario.record.frames) {
+    plan.frames = dueCount(checked, scenario.record.frames->every_s);
+    const double one = 3.0 * scenario.record.frames->width_px * scenario.record.frames->height_px;
+    plan.frame_bytes = one * static_cast<double>(plan.frames);
+  }
+  return plan;
+}
+
+}  // namespace
+
+RecordLayout layoutOf(const Scenario& scenario, const PipelineSettings& pipeline) {
+  return layoutIn(scenario, buildScene(scenario, pipeline.usesNodes()));
+}
+
+std::vector<RunPlan> planRuns(const CheckedScenario& checked) {
+  std::vector<RunPlan> plans;
+  for (const PipelineSettings& pipeline : checked.loaded.scenario.pipelines)
+    plans.push_back(planRun(checked, pipeline));
+  return plans;
+}
+
+}  // namespace fissure

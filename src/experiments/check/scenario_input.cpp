@@ -1,0 +1,234 @@
+#include "check/scenario_input.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/steps.h"
+#include "mesh/check.h"
+#include "mesh/convex.h"
+#include "mesh/file_surface.h"
+#include "motion/motion.h"
+#include "process/apart.h"
+#include "scene/build_scene.h"
+#include "scene/fixed_vertices.h"
+#include "scene/place.h"
+#include "text/did_you_mean.h"
+
+namespace fissure {
+
+namespace {
+
+std::vector<Override> parseOverrides(const std::vector<std::string>& texts) {
+  std::vector<Override> overrides;
+  for (const std::string& text : texts) {
+    const std::size_t equals = text.find('=');
+    if (equals == 0 || equals == std::string::npos)
+      throw InputError("--set " + text + ": not an override, expected path=value");
+    overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
+  }
+  return overrides;
+}
+
+/// Keeps the pipelines named, in the scenario's order.
+void select(const std::vector<std::string>& names, CheckedScenario& checked) {
+  if (names.empty()) return;
+  std::vector<PipelineSettings>& pipelines = checked.loaded.scenario.pipelines;
+  std::vector<std::string> known;
+  known.reserve(pipelines.size());
+  for (const PipelineSettings& entry : pipelines) known.push_back(entry.name);
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError(checked.file.string() + ": no pipeline \"" + name + "\"" + didYouMean(name, known));
+  const auto dropped = [&](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  };
+  std::erase_if(pipelines, [&](const PipelineSettings& entry) { return dropped(entry.name); });
+  std::erase_if(checked.loaded.scenario.expect, [&](const Expectation& expected) {
+    return expected.pipeline && dropped(*expected.pipeline);
+  });
+}
+
+void checkFixed(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
+  const std::string where = file + ": bodies." + body.name + ".fixed";
+  for (std::size_t i = 0; i < body.fixed.size(); ++i) {
+    if (verticesIn(body.fixed[i], rest).empty())
+      throw InputError(where + "." + std::to_string(i) +
+                       " holds no vertex of the body as it is placed, expected at least one");
+  }
+  if (fixedVertices(body, rest).size() == rest.vertices_m.size())
+    throw InputError(where + " holds every vertex of the body, expected some that can move");
+}
+
+void checkGauges(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
+  for (const GaugeSettings& gauge : body.gauges) {
+    if (verticesIn(gauge.box, rest).empty())
+      throw InputError(file + ": bodies." + body.name + ".gauges." + gauge.name +
+                       " holds no vertex of the body as it is placed, expected at least one");
+  }
+}
+
+using Spoils = bool (*)(DefectKind);
+
+std::vector<std::string> spoiling(const std::vector<Defect>& defects, Spoils spoils) {
+  std::vector<std::string> texts;
+  for (const Defect& defect : defects)
+    if (spoils(defect.kind)) texts.push_back(defect.text);
+  return texts;
+}
+
+/// All there is to say about the surface of a file, a line each.
+void noteSurface(const FileSurface& surface, const std::string& path, std::vector<std::string>& notes) {
+  const auto note = [&](const std::string& text) { notes.push_back(path + ": " + text); };
+  if (!surface.repairs.empty())
+    for (const Defect& defect : surface.found) note("in the file " + defect.text);
+  for (const std::string& repair : surface.repairs) note("repaired, " + repair);
+  for (const Defect& defect : surface.left) note(defect.text);
+}
+
+/// What is wrong with the surfaces of a scenario, and what can be said about them besides.
+class SurfaceReport {
+ public:
+  SurfaceReport(CheckedScenario& checked, std::string what, std::string expected, Spoils spoils)
+      : checked_(checked), what_(std::move(what)), expected_(std::move(expected)), spoils_(spoils) {}
+
+  /// Looks at the shape at `path`; true when it is good.
+  bool check(const SurfaceShape& shape, const std::string& path) {
+    const std::vector<std::string> defects = defectsOf(shape, path);
+    if (defects.empty()) return true;
+    all_.append(all_.empty() ? "" : "; ").append(path).append(": ");
+    for (const std::string& defect : defects) {
+      if (!std::holds_alternative<FileShape>(shape))
+        lines_.push_back(std::string(path).append(": ").append(defect));
+      all_.append(&defect == &defects.front() ? "" : "; ").append(defect);
+    }
+    lines_.push_back(path + ": " + what_ + ", " + expected_);
+    all_.append(", ").append(expected_);
+    return false;
+  }
+
+  /// Throws BadSurfaces when one was not.
+  void finish() {
+    if (all_.empty()) return;
+    lines_.insert(lines_.begin(), checked_.notes.begin(), checked_.notes.end());
+    const std::string file = checked_.file.string() + ": ";
+    for (std::string& line : lines_) line.insert(0, file);
+    throw BadSurfaces(file + all_, std::move(lines_));
+  }
+
+ private:
+  std::vector<std::string> defectsOf(const SurfaceShape& shape, const std::string& path) {
+    const std::filesystem::path& directory = checked_.loaded.scenario.directory;
+    const auto* from_file = std::get_if<FileShape>(&shape);
+    if (!from_file) return spoiling(inspectSurface(makeSurface(shape)), spoils_);
+    // Assimp may crash on a damaged file, or never end.
+    tryReading(directory / from_file->file, [&] { loadSurface(*from_file, directory); });
+    const FileSurface surface = loadSurface(*from_file, directory);
+    noteSurface(surface, path, checked_.notes);
+    return spoiling(surface.left, spoils_);
+  }
+
+  CheckedScenario& checked_;
+  std::string what_, expected_;
+  Spoils spoils_;
+  std::string all_;
+  std::vector<std::string> lines_;
+};
+
+void checkBodies(CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  SurfaceReport report(checked, "cannot be simulated", "expected a closed surface with outward faces",
+                       spoilsBody);
+  for (const BodySettings& body : scenario.bodies) {
+    if (!report.check(body.shape, "bodies." + body.name + ".shape")) continue;
+    if (body.fixed.empty() && body.gauges.empty()) continue;
+    const TriangleMesh rest = placeBody(body, scenario.directory);
+    if (!body.fixed.empty()) checkFixed(checked.file.string(), body, rest);
+    checkGauges(checked.file.string(), body, rest);
+  }
+  report.finish();
+}
+
+/// What the pipelines need of a tool: Bullet's soft bodies meet convex solids alone, `prescribed` holds
+/// tissue to the faces of a box, and ray casting starts at nodes.
+void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
+  const bool convex = tool.closed && isConvex(tool.surface);
+  for (const PipelineSettings& entry : checked.loaded.scenario.pipelines) {
+    const auto refuse = [&](const char* what, const char* needs, const char* expected) {
+      throw InputError(checked.file.string() + ": tools." + tool.name + ".shape " + what + ", and run " +
+                       entry.name + " (pipeline " + entry.pipeline + ") needs " + needs + ", expected " +
+                       expected);
+    };
+    if ((entry.usesSdf() || entry.usesClusters()) && !convex)
+      refuse("is not convex and closed", "that", "pipelines raycast and fukuhara alone");
+    if (entry.pipeline == "prescribed" && !tool.box_size_m) refuse("is no box", "one", "another pipeline");
+    if (entry.usesNodes() && tool.nodes.size() == 0)
+      refuse("gives no triangle a node (no ray back into it leaves it again)", "nodes",
+             "outward faces on both its sides, or nodes.lone_nodes");
+  }
+}
+
+Scene sceneOf(const CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const bool with_nodes = std::any_of(scenario.pipelines.begin(), scenario.pipelines.end(),
+                                      [](const PipelineSettings& entry) { return entry.usesNodes(); });
+  try {
+    return buildScene(scenario, with_nodes);
+  } catch (const InputError& error) {
+    throw InputError(checked.file.string() + ": " + error.what());
+  }
+}
+
+void checkTools(CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  SurfaceReport report(checked, "cannot be used", "expected faces that agree about the outside", spoilsTool);
+  for (const ToolSettings& tool : scenario.tools) {
+    const std::string path = "tools." + tool.name;
+    report.check(tool.shape, path + ".shape");
+    if (!tool.clamp) continue;
+    if (tool.clamp->left_jaw) report.check(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw.shape");
+    for (std::size_t i = 0; i < tool.clamp->handle.size(); ++i)
+      report.check(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i) + ".shape");
+  }
+  report.finish();
+  for (const SceneTool& tool : sceneOf(checked).tools) checkTool(checked, tool);
+}
+
+/// Seconds until the last tool stands still; reads every log.
+double longestMotion_s(const Scenario& scenario) {
+  double longest_s = 0;
+  for (const ToolSettings& tool : scenario.tools)
+    longest_s = std::max(longest_s, makeMotion(tool, scenario.directory)->duration_s());
+  return longest_s;
+}
+
+}  // namespace
+
+CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection) {
+  return checkLoaded(file, loadScenario(file, parseOverrides(selection.overrides)), selection);
+}
+
+CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded,
+                            const Selection& selection) {
+  CheckedScenario checked{file, std::move(loaded), 0, 0, {}};
+  Scenario& scenario = checked.loaded.scenario;
+  select(selection.pipelines, checked);
+  if (!selection.frames) scenario.record.frames.reset();
+  if (!selection.expectations) scenario.expect.clear();
+  checked.loaded.resolved = toYaml(scenario);
+  checkBodies(checked);
+  checkTools(checked);
+  const double longest_s = longestMotion_s(scenario);
+  checked.duration_s = scenario.time.duration_s.value_or(longest_s);
+  const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);
+  if (!(steps <= max_steps))
+    throw InputError(file.string() +
+                     ": time.step_s: the motion of a tool lasts more than 1e8 steps, expected fewer");
+  checked.steps = static_cast<std::int64_t>(steps);
+  if (checked.steps < 1)
+    throw InputError(file.string() +
+                     ": time.duration_s: the run has no step, expected a duration of at least one step_s, "
+                     "given or by the motion of a tool");
+  return checked;
+}
+
+}  // namespace fissure

@@ -1,0 +1,218 @@
+#include "fit/simulated_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "base/error.h"
+#include "fit/curve_rank.h"
+#include "scenario/load.h"
+#include "store/result_file.h"
+#include "store/run_reader.h"
+#include "task/law_family.h"
+
+namespace fissure {
+
+namespace {
+
+/// Between two of the steps that are evaluated.
+struct Place {
+  std::size_t before = 0, after = 0;
+  double share = 0;  ///< of `after`
+};
+
+class SimulatedModel : public LawModel {
+ public:
+  /// `rates`: whether those of the simulation are those of the curve.
+  SimulatedModel(FitLaw law, const SimulatedRun& run, std::vector<Place> places, bool rates)
+      : law_(law), scenario_laws_(run.laws), places_(std::move(places)) {
+    const auto same = std::find_if(run.laws.begin(), run.laws.end(),
+                                   [&](const ForceSettings& of) { return of.model == nameOf(law); });
+    seen_as_ = same == run.laws.end() ? run.laws.front() : *same;
+    seen_as_.model = nameOf(law);
+    takeSteps(run);
+    takeScales(
+        static_cast<std::size_t>((same == run.laws.end() ? run.laws.begin() : same) - run.laws.begin()));
+    if (!rates) rate_scale_m_s_ = 0;
+  }
+  FitLaw law() const override { return law_; }
+  std::size_t size() const override { return places_.size(); }
+  void evaluate(const LawValues& values, std::span<double> force_N) const override {
+    ForceSettings law = seen_as_;
+    law.k = values.k;
+    law.lambda = law.c = values.lambda;
+    law.n = values.n;
+    LawFamily family({law}, scenario_laws_);
+    std::vector<double> of_steps_N;
+    of_steps_N.reserve(steps_.size());
+    for (const std::vector<LawInput>& step : steps_) {
+      family.evaluate(step);
+      of_steps_N.push_back(family.values().front().force_N);
+    }
+    for (std::size_t i = 0; i < places_.size(); ++i)
+      force_N[i] = (1 - places_[i].share) * of_steps_N[places_[i].before] +
+                   places_[i].share * of_steps_N[places_[i].after];
+  }
+  double deformationScale_m() const override { return deformation_scale_m_; }
+  double rateScale_m_s() const override { return rate_scale_m_s_; }
+
+ private:
+  /// Keeps the inputs of the steps that are asked for, and numbers these.
+  void takeSteps(const SimulatedRun& run) {
+    std::vector<std::size_t> first = {0};
+    for (const std::size_t size : run.inputs.row_sizes)
+      first.push_back(first.back() + size * run.laws.size());
+    std::map<std::size_t, std::size_t> kept;
+    for (Place& place : places_) {
+      for (std::size_t* step : {&place.before, &place.after}) {
+        const auto [entry, is_new] = kept.try_emplace(*step, steps_.size());
+        if (is_new) {
+          const auto inputs = run.inputs.inputs.begin();
+          steps_.emplace_back(inputs + static_cast<std::ptrdiff_t>(first[*step]),
+                              inputs + static_cast<std::ptrdiff_t>(first[*step + 1]));
+        }
+        *step = entry->second;
+      }
+    }
+  }
+
+  void takeScales(std::size_t law) {
+    double squares_m2 = 0, squares_m2_s2 = 0, count = 0;
+    for (const std::vector<LawInput>& step : steps_) {
+      for (std::size_t i = law; i < step.size(); i += scenario_laws_.size(), ++count) {
+        squares_m2 += step[i].deformation_m * step[i].deformation_m;
+        squares_m2_s2 += step[i].rate_m_s * step[i].rate_m_s;
+      }
+    }
+    if (!(squares_m2 > 0) || !std::isfinite(squares_m2 + squares_m2_s2))
+      throw InputError("the simulation deforms no tissue where the curve is, expected one that does");
+    deformation_scale_m_ = std::sqrt(squares_m2 / count);
+    rate_scale_m_s_ = std::sqrt(squares_m2_s2 / count);
+  }
+
+  FitLaw law_;
+  std::vector<ForceSettings> scenario_laws_;
+  ForceSettings seen_as_;
+  std::vector<Place> places_;
+  std::vector<std::vector<LawInput>> steps_;
+  double deformation_scale_m_ = 0, rate_scale_m_s_ = 0;
+};
+
+/// Steps from the first in contact to the deepest that go deeper than all before.
+std::vector<std::size_t> deepeningSteps(const SimulatedRun& run) {
+  const std::vector<std::size_t>& sizes = run.inputs.row_sizes;
+  const auto touched = std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; });
+  std::vector<std::size_t> steps;
+  for (auto step = static_cast<std::size_t>(touched - sizes.begin()); step < sizes.size(); ++step)
+    if (steps.empty() || run.way_m[step] > run.way_m[steps.back()]) steps.push_back(step);
+  return steps;
+}
+
+/// Places of `at` among ascending `values`, one a step in `steps`; none where it is outside.
+bool findPlace(double at, const std::vector<double>& values, const std::vector<std::size_t>& steps,
+               Place& place) {
+  if (values.empty() || !(at >= values.front()) || at > values.back()) return false;
+  const auto after =
+      static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), at) - values.begin());
+  const std::size_t before = after == 0 ? 0 : after - 1;
+  const double gap = values[after] - values[before];
+  place = {steps[before], steps[after], gap > 0 ? (at - values[before]) / gap : 0};
+  return true;
+}
+
+double meanSquare(const std::vector<double>& values) {
+  return std::inner_product(values.begin(), values.end(), values.begin(), 0.0) /
+         static_cast<double>(values.size());
+}
+
+/// `places` of the points of `curve`.
+std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run, const std::vector<Place>& places) {
+  if (curve.rate_m_s.empty()) return "";
+  std::vector<double> simulated_m_s;
+  for (const Place& place : places) {
+    const std::size_t after = std::max(place.after, place.before + 1);
+    if (after < run.way_m.size())
+      simulated_m_s.push_back((run.way_m[after] - run.way_m[place.before]) /
+                              (run.inputs.times_s[after] - run.inputs.times_s[place.before]));
+  }
+  if (simulated_m_s.empty()) return "";
+  const double measured_m2_s2 = meanSquare(curve.rate_m_s) - meanSquare(curve.rate_noise_m_s);
+  const double measured = std::sqrt(std::max(0.0, measured_m2_s2)),
+               simulated = std::sqrt(meanSquare(simulated_m_s));
+  if (measured <= 2 * simulated && simulated <= 2 * measured) return "";
+  return "typical rates are " + fourDigits(measured) + " m/s in the curve and " + fourDigits(simulated) +
+         " m/s in the simulation, whose count: expected a simulation as fast, or --match time";
+}
+
+std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
+  if (info.pipelines.size() == 1) return info.pipelines.front().name;
+  std::string names;
+  for (const PipelineResult& run : info.pipelines) names += (names.empty() ? "" : ", ") + run.name;
+  throw InputError(file.string() + ": " + std::to_string(info.pipelines.size()) + " runs (" + names +
+                   "), expected FILE:NAME to choose one");
+}
+
+}  // namespace
+
+SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::string& run) {
+  const ResultInfo info = readResultInfo(file);
+  const std::string name = run.empty() ? onlyRun(info, file) : run;
+  SimulatedRun read;
+  read.laws = parseStoredScenario(info.scenario_resolved).scenario.force;
+  read.inputs = readForceInputs(file, name);
+  const RunReader reader(file, name);
+  const StoredQuantity* position = reader.find("tool_position");
+  const std::size_t steps = read.inputs.times_s.size();
+  if (position == nullptr || position->rows != steps || position->columns() < 3 ||
+      read.laws.size() != read.inputs.laws.size())
+    throw InputError(file.string() + ": run " + name + " has other tool positions than force_inputs");
+  const std::vector<double> positions_m = reader.all(*position);
+  const std::vector<std::size_t>& sizes = read.inputs.row_sizes;
+  const auto touched = static_cast<std::size_t>(
+      std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }) - sizes.begin());
+  const auto at = [&](std::size_t step) { return Vec3::Map(&positions_m[step * position->columns()]); };
+  for (std::size_t step = 0; step < steps; ++step)
+    read.way_m.push_back(step <= touched ? 0 : (at(step) - at(touched)).norm());
+  return read;
+}
+
+SimulatedFit makeSimulatedFit(FitLaw law, const SimulatedRun& run, const MeasuredCurve& curve, MatchBy by) {
+  const std::vector<double>& measured = by == MatchBy::time ? curve.time_s : curve.depth_m;
+  const std::string what = by == MatchBy::time ? "times" : "depths";
+  if (measured.empty()) throw InputError("the curve has no " + what + ", expected a column of them");
+  std::vector<std::size_t> steps;
+  if (by == MatchBy::depth) steps = deepeningSteps(run);
+  for (std::size_t step = 0; by == MatchBy::time && step < run.inputs.times_s.size(); ++step)
+    steps.push_back(step);
+  std::vector<double> values;
+  for (const std::size_t step : steps)
+    values.push_back(by == MatchBy::time ? run.inputs.times_s[step] : run.way_m[step]);
+  std::vector<Place> places;
+  std::vector<std::size_t> reached;
+  for (std::size_t i = 0; i < measured.size(); ++i) {
+    Place place;
+    if (!findPlace(measured[i], values, steps, place)) continue;
+    places.push_back(place);
+    reached.push_back(i);
+  }
+  if (places.empty())
+    throw InputError("the simulation reaches none of its " + what +
+                     (values.empty() ? ": it meets no tissue"
+                                     : ": it has " + fourDigits(values.front()) + " to " +
+                                           fourDigits(values.back()) + (by == MatchBy::time ? " s" : " m")));
+  MeasuredCurve kept = pointsOf(curve, reached);
+  if (reached.size() < measured.size())
+    kept.warnings.push_back("left out " + std::to_string(measured.size() - reached.size()) + " of " +
+                            std::to_string(measured.size()) + " points that the simulation does not reach");
+  const bool by_depth = by == MatchBy::depth;
+  const std::string back = by_depth ? wayBackNote(kept) : "";
+  if (!back.empty()) kept.warnings.push_back(back);
+  const bool rates =
+      std::any_of(kept.rate_m_s.begin(), kept.rate_m_s.end(), [](double rate) { return rate != 0; });
+  const std::string rate_note = by_depth ? rateNote(kept, run, places) : "";
+  return {std::make_unique<SimulatedModel>(law, run, std::move(places), !by_depth || rates), std::move(kept),
+          rate_note};
+}
+
+}  // namespace fissure

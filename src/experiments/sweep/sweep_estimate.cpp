@@ -1,0 +1,148 @@
+#include "sweep/sweep_estimate.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+
+#include "batch/engine_program.h"
+#include "check/run_plan.h"
+#include "process/worker_pool.h"
+#include "sweep/sweep_session.h"
+#include "task/run_recorder.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double timed_for_s = 2;
+
+/// A folder that is gone afterwards.
+class ScratchFolder {
+ public:
+  ScratchFolder() {
+    std::error_code error;
+    std::string name = (fs::temp_directory_path(error) / "fissure-XXXXXX").string();
+    if (!error && ::mkdtemp(name.data())) path_ = name;
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const fs::path& path() const { return path_; }  ///< empty: it cannot be made
+
+ private:
+  fs::path path_;
+};
+
+/// Wall time of tasks from how far each comes in a moment.
+class Timing : public PoolObserver {
+ public:
+  void started(std::size_t) override { start_ = Clock::now(); }
+  void progressed(std::size_t, const Progress& progress) override { progress_ = progress; }
+  void finished(std::size_t, const RunStatus& status) override {
+    const double wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
+    if (status.status == "ok") times_s_.push_back(wall_s);
+    if (status.status == "timeout" && progress_.step > 0)
+      times_s_.push_back(wall_s * static_cast<double>(progress_.steps) / static_cast<double>(progress_.step));
+    progress_ = {};
+  }
+  void woke() override {}
+
+  const std::vector<double>& times_s() const { return times_s_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_;
+  Progress progress_;
+  std::vector<double> times_s_;
+};
+
+std::optional<double> meanOf(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+std::optional<double> timeSome(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
+                               Interrupt& interrupt) {
+  const ScratchFolder scratch;
+  if (scratch.path().empty()) return std::nullopt;
+  std::vector<WorkerTask> some;
+  for (const std::size_t at : {std::size_t{0}, tasks.size() / 2, tasks.size() - 1}) {
+    const SweepTask& task = plan.tasks()[tasks[at]];
+    const fs::path order = scratch.path() / std::to_string(some.size());
+    std::ofstream(order, std::ios::binary) << orderText(orderOf(plan, task));
+    some.push_back({engineProgram(plan.precision(task)),
+                    {"--order", order.string(), "--record", order.string() + ".record"},
+                    timed_for_s,
+                    plan.manifest().settings.limits.memory_mb.value_or(0)});
+  }
+  Timing timing;
+  WorkerPool(1, interrupt).run(some, timing);
+  return meanOf(timing.times_s());
+}
+
+double bytesOf(const SweepPlan& plan, const std::vector<std::size_t>& tasks) {
+  const SweepManifest& manifest = plan.manifest();
+  const std::size_t laws = plan.base().scenario.force.size();
+  double columns = 70;  // about as many numbers has a summary
+  if (manifest.settings.curves)
+    for (const CurveQuantity& curve : manifest.curves)
+      columns +=
+          static_cast<double>(curveTimes_s(*manifest.settings.curves).size() * (curve.per_law ? laws : 1));
+  double bytes = 0;
+  for (const std::size_t task : tasks)
+    bytes += 2 * 8 * columns * static_cast<double>(plan.tasks()[task].laws.size());  // journal and table
+  return bytes;
+}
+
+/// As if all were as large as the first that can be run at all.
+double resultBytes(const SweepPlan& plan, const std::vector<std::size_t>& tasks) {
+  constexpr std::size_t most_tried = 100;
+  for (std::size_t i = 0; i < std::min(most_tried, tasks.size()); ++i) {
+    try {
+      LoadedScenario some = parseScenario(plan.manifest().scenario, plan.directory() / "base",
+                                          plan.overridesAt(plan.tasks()[tasks[i]].point));
+      const std::vector<RunPlan> plans =
+          planRuns(checkLoaded("base", std::move(some), {plan.manifest().pipelines, {}, true, false}));
+      double bytes = 0;
+      for (const std::size_t task : tasks) bytes += plans[plan.tasks()[task].entry].bytes();
+      return bytes;
+    } catch (const InputError&) {  // a combination that cannot be run; its row will say so
+    }
+  }
+  return 0;
+}
+
+}  // namespace
+
+double SweepEstimate::total_s(std::size_t tasks, int slots) const {
+  return one_s.value_or(0) * std::ceil(static_cast<double>(tasks) / std::max(1, slots));
+}
+
+SweepEstimate estimateSweep(const SweepPlan& plan, const SweepState& state,
+                            const std::vector<std::size_t>& tasks, std::size_t timed_from,
+                            Interrupt& interrupt) {
+  SweepEstimate estimate;
+  if (tasks.empty()) return estimate;
+  estimate.bytes = bytesOf(plan, tasks);
+  if (plan.manifest().settings.keep == SweepKeep::results) estimate.bytes += resultBytes(plan, tasks);
+  std::vector<double> known_s;
+  for (std::size_t i = 0; i < plan.tasks().size(); ++i)
+    if (state.task(i).finished && state.task(i).wall_s > 0) known_s.push_back(state.task(i).wall_s);
+  if (!known_s.empty())
+    estimate.one_s = meanOf(known_s);
+  else if (tasks.size() >= timed_from)
+    estimate.one_s = timeSome(plan, tasks, interrupt);
+  return estimate;
+}
+
+}  // namespace fissure

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "fit/curve_rank.h"
+#include "sweep/sweep_file.h"
+
+namespace fissure {
+
+/// How far each run of a sweep is from the measured curve that its file names.
+class SweepMisfit {
+ public:
+  /// Reads `file`, of one curve. `laws`: names of the scenario's force laws. Throws
+  /// InputError about the file, also when it lacks what the fit compares.
+  SweepMisfit(const SweepFit& fit, const std::vector<std::string>& laws, const std::filesystem::path& file);
+
+  /// Of one run: `force_N` law by law and `way_m`, the curves force and indentation over `time_s`; without
+  /// `way_m` where times are compared. NaN where the run does not reach all measured points.
+  Misfit of(const std::vector<double>& time_s, std::span<const double> force_N,
+            std::span<const double> way_m) const;
+
+  /// The measured force at these times, linear between its points, NaN outside them; empty where depths are
+  /// compared.
+  std::vector<double> at(const std::vector<double>& time_s) const;
+
+ private:
+  MatchBy match_;
+  std::optional<double> fixed_offset_N_;
+  std::size_t law_ = 0;
+  MeasuredCurve curve_;
+};
+
+}  // namespace fissure

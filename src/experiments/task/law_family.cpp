@@ -1,0 +1,165 @@
+#include "task/law_family.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <stdexcept>
+#include <tuple>
+
+#include "base/error.h"
+
+namespace fissure {
+
+namespace {
+
+/// Relative; the roundings of B / A, of -k / c and of the law's own products move the place where a triangle
+/// starts to pull by at most three times 2^-52.
+constexpr double kMargin = 8 * std::numeric_limits<double>::epsilon();
+
+/// Whether products of three such numbers are exact up to rounding: none overflows or becomes denormal.
+bool isOrdinary(double value) {
+  const double size = std::abs(value);
+  return size == 0 || (size >= 1e-80 && size <= 1e80);
+}
+
+std::size_t channelOf(const ForceSettings& law, const std::vector<ForceSettings>& scenario_laws) {
+  const auto found = std::find_if(scenario_laws.begin(), scenario_laws.end(), [&](const auto& of) {
+    return of.deformation == law.deformation && of.rate == law.rate;
+  });
+  if (found == scenario_laws.end())
+    throw InputError("force law " + law.name + ": no law of the scenario has deformation " + law.deformation +
+                     " and rate " + law.rate + ", whose inputs it needs");
+  return static_cast<std::size_t>(found - scenario_laws.begin());
+}
+
+/// Of B.
+double secondCoefficient(const ForceSettings& law) {
+  if (law.model == "hunt_crossley") return law.lambda;
+  return law.model == "kelvin_voigt" ? law.c : 0;
+}
+
+}  // namespace
+
+LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<ForceSettings>& scenario_laws)
+    : scenario_laws_(scenario_laws.size()), values_(laws.size()) {
+  std::map<std::tuple<std::size_t, bool, std::string, double>, Group> groups;
+  for (std::size_t i = 0; i < laws.size(); ++i) {
+    const ForceSettings& law = laws[i];
+    laws_.push_back(makeForceLaw(law.model, {.k = law.k, .lambda = law.lambda, .n = law.n, .c = law.c}));
+    const double n = law.model == "hunt_crossley" ? law.n : 1;
+    const std::size_t channel = channelOf(law, scenario_laws);
+    Group& group = groups[{channel, law.per_area, law.model, n}];
+    group.model = law.model;
+    group.n = n;
+    group.per_area = law.per_area;
+    group.channel = channel;
+    const double c = secondCoefficient(law);
+    group.members.push_back({.law = i,
+                             .k = law.k,
+                             .c = c,
+                             .threshold = c > 0 ? -law.k / c : -std::numeric_limits<double>::infinity(),
+                             .extreme = !isOrdinary(law.k) || !isOrdinary(c) || c < 0});
+  }
+  for (auto& [key, group] : groups) {
+    std::stable_sort(group.members.begin(), group.members.end(),
+                     [](const Member& a, const Member& b) { return a.threshold < b.threshold; });
+    groups_.push_back(std::move(group));
+  }
+}
+
+void LawFamily::evaluate(const std::vector<LawInput>& inputs) {
+  if (scenario_laws_ == 0 ? !inputs.empty() : inputs.size() % scenario_laws_ != 0)
+    throw std::logic_error("the inputs of force laws are not of the scenario's number of laws");
+  for (std::size_t i = 0; i < groups_.size(); ++i) {
+    if (i == 0 || groups_[i].channel != groups_[i - 1].channel) orderByRate(groups_[i].channel, inputs);
+    evaluate(groups_[i], inputs);
+  }
+}
+
+void LawFamily::orderByRate(std::size_t channel, const std::vector<LawInput>& inputs) {
+  order_.clear();
+  for (std::size_t i = channel; i < inputs.size(); i += scenario_laws_) order_.push_back(i);
+  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+    const double of_a = inputs[a].rate_m_s, of_b = inputs[b].rate_m_s;
+    return of_a < of_b || (std::isnan(of_b) && !std::isnan(of_a));
+  });
+}
+
+void LawFamily::makeTerms(const Group& group, const std::vector<LawInput>& inputs) {
+  terms_.clear();
+  plain_.clear();
+  const bool hunt_crossley = group.model == "hunt_crossley";
+  const bool kelvin_voigt = group.model == "kelvin_voigt";
+  for (const std::size_t i : order_) {
+    const LawInput& input = inputs[i];
+    const double x_m = input.deformation_m, rate_m_s = hunt_crossley || kelvin_voigt ? input.rate_m_s : 0;
+    const bool usual = input.direction.allFinite() && (!group.per_area || isOrdinary(input.area_m2));
+    if (usual && (kelvin_voigt ? x_m < 0 : x_m <= 0)) continue;  // as the law has it
+    const double a = hunt_crossley ? std::pow(x_m, group.n) : x_m;
+    if (!usual || a == 0 || !isOrdinary(a) || !isOrdinary(rate_m_s)) {
+      plain_.push_back(i);
+    } else if (kelvin_voigt) {
+      terms_.push_back({rate_m_s / x_m, x_m, rate_m_s, i});
+    } else {
+      terms_.push_back({rate_m_s, a, a * rate_m_s, i});
+    }
+  }
+  const auto before = [](const Term& a, const Term& b) { return a.ratio < b.ratio; };
+  if (!std::is_sorted(terms_.begin(), terms_.end(), before)) std::sort(terms_.begin(), terms_.end(), before);
+}
+
+// From the fastest growing triangle down: sums of what counts, never differences of sums.
+void LawFamily::makeTails(const Group& group, const std::vector<LawInput>& inputs) {
+  tails_.resize(terms_.size() + 1);
+  tails_.back() = {};
+  for (std::size_t t = terms_.size(); t-- > 0;) {
+    const Term& term = terms_[t];
+    const LawInput& input = inputs[term.input];
+    const double weight = group.per_area ? input.area_m2 : 1;
+    const Tail& next = tails_[t + 1];
+    tails_[t] = {next.a_direction + weight * term.a * input.direction,
+                 next.b_direction + weight * term.b * input.direction, next.a + weight * term.a,
+                 next.b + weight * term.b};
+  }
+}
+
+void LawFamily::addPlainly(const Group& group, const Member& member, const LawInput& input, Sum& sum) const {
+  const LawForce force = laws_[member.law]->at(input.deformation_m, input.rate_m_s);
+  const double area = group.per_area ? input.area_m2 : 1;
+  sum.value.elastic_N += area * force.elastic_N;
+  sum.value.viscous_N += area * force.viscous_N;
+  sum.value.adhesion_clamped += force.adhesion_clamped ? 1 : 0;
+  sum.force_N += area * (force.elastic_N + force.viscous_N) * input.direction;
+}
+
+void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs) {
+  makeTerms(group, inputs);
+  makeTails(group, inputs);
+  // Terms before `pulling` pull, those from `pushing` on push; rounding decides between.
+  std::size_t pulling = 0, pushing = 0;
+  for (const Member& member : group.members) {
+    const double above = member.threshold * (1 - kMargin), below = member.threshold * (1 + kMargin);
+    while (pulling < terms_.size() && terms_[pulling].ratio < below) ++pulling;
+    while (pushing < terms_.size() && terms_[pushing].ratio <= above) ++pushing;
+    Sum sum;
+    std::size_t tail = pushing;
+    if (member.extreme) {
+      for (const Term& term : terms_) addPlainly(group, member, inputs[term.input], sum);
+      tail = terms_.size();
+    } else {
+      sum.value.adhesion_clamped = static_cast<int>(pulling);
+      for (std::size_t t = pulling; t < pushing; ++t) addPlainly(group, member, inputs[terms_[t].input], sum);
+    }
+    for (const std::size_t i : plain_) addPlainly(group, member, inputs[i], sum);
+    const Tail& pushed = tails_[tail];
+    sum.force_N += member.k * pushed.a_direction + member.c * pushed.b_direction;
+    sum.value.elastic_N += member.k * pushed.a;
+    sum.value.viscous_N += member.c * pushed.b;
+    sum.value.force_N = sum.force_N.norm();
+    values_[member.law] = sum.value;
+  }
+}
+
+}  // namespace fissure

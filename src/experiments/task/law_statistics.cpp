@@ -1,0 +1,64 @@
+#include "task/law_statistics.h"
+
+#include <cmath>
+
+namespace fissure {
+
+namespace {
+
+std::vector<ForceSettings> flat(const std::vector<std::vector<ForceSettings>>& rows,
+                                const std::vector<ForceSettings>& scenario_laws) {
+  std::vector<ForceSettings> laws;
+  for (const std::vector<ForceSettings>& row : rows) {
+    for (std::size_t i = 0; i < scenario_laws.size(); ++i) {
+      ForceSettings& law = laws.emplace_back(scenario_laws[i]);
+      law.k = row[i].k;
+      law.lambda = row[i].lambda;
+      law.n = row[i].n;
+      law.c = row[i].c;
+    }
+  }
+  return laws;
+}
+
+std::vector<std::string> namesOf(const std::vector<ForceSettings>& laws) {
+  std::vector<std::string> names;
+  for (const ForceSettings& law : laws) names.push_back(law.name);
+  return names;
+}
+
+}  // namespace
+
+LawStatistics::LawStatistics(const std::vector<std::vector<ForceSettings>>& rows,
+                             const std::vector<ForceSettings>& scenario_laws)
+    : names_(namesOf(scenario_laws)),
+      family_(flat(rows, scenario_laws), scenario_laws),
+      laws_(rows.size() * scenario_laws.size()) {}
+
+void LawStatistics::add(const State& state) {
+  family_.evaluate(state.law_inputs);
+  for (std::size_t i = 0; i < laws_.size(); ++i) {
+    const LawValue& value = family_.values()[i];
+    laws_[i].max_N.add(value.force_N);
+    laws_[i].roughness.add(value.force_N);
+    if (laws_[i].non_finite_at_step < 0 && !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
+      laws_[i].non_finite_at_step = state.step;
+  }
+}
+
+void LawStatistics::summarize(std::size_t row, Summary& summary) const {
+  const auto add = [&](std::size_t index, const std::string& name) {
+    const Law& law = laws_[row * names_.size() + index];
+    summary.push_back({"max_force" + name + "_N", law.max_N.value()});
+    summary.push_back({"force_roughness" + name, law.roughness.value()});
+  };
+  add(0, "");
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    add(i, "_" + names_[i]);
+    const long long step = laws_[row * names_.size() + i].non_finite_at_step;
+    summary.push_back(
+        {"force_non_finite_at_step_" + names_[i], step < 0 ? kMissing : static_cast<double>(step)});
+  }
+}
+
+}  // namespace fissure

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenario/load.h"
+#include "task/curves.h"
+
+namespace fissure {
+
+/// What a worker is told about one simulation of a sweep.
+struct TaskOrder {
+  std::string name;                 ///< of the sweep, for messages
+  std::string scenario;             ///< LoadedScenario::composed of the base
+  std::filesystem::path directory;  ///< where its file names start
+  std::vector<Override> overrides;
+  std::string pipeline;
+  /// One set of laws a row of the record, each with the scenario's laws in their order, other coefficients;
+  /// empty: one row, the scenario's own laws.
+  std::vector<std::vector<ForceSettings>> laws;
+  std::optional<SweepCurves> curves;
+};
+
+/// What is said about an override, about the axis that it comes from: it is not on the command line.
+std::string aboutAxes(std::string message);
+
+/// The order as text, for a file.
+std::string orderText(const TaskOrder& order);
+
+/// Of each law of an order that was read only k, lambda, n and c mean something. Throws InputError.
+TaskOrder parseOrder(const std::string& text);
+
+}  // namespace fissure

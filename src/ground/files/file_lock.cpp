@@ -1,0 +1,46 @@
+#include "files/file_lock.h"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstring>
+#include <string>
+
+#include "base/error.h"
+
+namespace fissure {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether `path` still names the open file: between opening and locking it, its last holder may have removed
+/// it.
+bool isNamed(const Descriptor& file, const fs::path& path) {
+  struct stat ours = {};
+  struct stat named = {};
+  return ::fstat(file.number(), &ours) == 0 && ::stat(path.c_str(), &named) == 0 &&
+         ours.st_ino == named.st_ino && ours.st_dev == named.st_dev;
+}
+
+}  // namespace
+
+FileLock::FileLock(const fs::path& path, const fs::path& target) : path_(path) {
+  do {
+    locked_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    if (!locked_.open()) throw InputError(target.string() + ": cannot be written: " + std::strerror(errno));
+    if (::flock(locked_.number(), LOCK_EX | LOCK_NB) != 0) {
+      if (errno == EWOULDBLOCK) throw InputError(target.string() + ": is being written by another run");
+      throw InputError(target.string() + ": cannot be locked: " + std::strerror(errno));
+    }
+  } while (!isNamed(locked_, path));
+}
+
+FileLock::~FileLock() {
+  std::error_code ignored;
+  fs::remove(path_, ignored);  // while it is still locked, so that nobody else holds what is removed
+}
+
+}  // namespace fissure

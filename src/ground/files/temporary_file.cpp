@@ -1,0 +1,73 @@
+#include "files/temporary_file.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+#include "base/error.h"
+
+namespace fissure {
+
+namespace {
+
+[[noreturn]] void failSystem(const std::string& doing) {
+  const int reason = errno;
+  throw RunError(doing + ": " + std::strerror(reason));
+}
+
+void sync(const std::filesystem::path& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC);
+  if (descriptor < 0) failSystem("cannot sync");
+  const int synced = ::fsync(descriptor);
+  const int reason = errno;
+  ::close(descriptor);
+  errno = reason;
+  // EINVAL: the file system has nothing to sync for a folder.
+  if (synced != 0 && reason != EINVAL) failSystem("cannot sync");
+}
+
+}  // namespace
+
+std::filesystem::path TemporaryFile::nameFor(const std::filesystem::path& target, int process, int n) {
+  std::filesystem::path name = target;
+  for (const std::string& piece : {std::to_string(process), std::to_string(n), std::string("tmp")}) {
+    name += ".";
+    name += piece;
+  }
+  return name;
+}
+
+TemporaryFile::TemporaryFile(std::filesystem::path target) : target_(std::move(target)) {
+  constexpr int most_names = 1000;
+  // A dead process of the same number may have left its file.
+  for (int n = 0; n <= most_names; ++n) {
+    path_ = nameFor(target_, ::getpid(), n);
+    std::error_code ignored;
+    if (!std::filesystem::exists(path_, ignored)) return;
+  }
+}
+
+TemporaryFile::~TemporaryFile() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove(path_, ignored);
+}
+
+void TemporaryFile::write(const std::string& text) const {
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path_.c_str(), "wbe"), std::fclose);
+  if (!stream || std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() ||
+      std::fclose(stream.release()) != 0)
+    failSystem("cannot write");
+}
+
+void TemporaryFile::commit() {
+  sync(path_, O_RDONLY);
+  if (std::rename(path_.c_str(), target_.c_str()) != 0) failSystem("cannot rename");
+  path_.clear();
+  sync(std::filesystem::absolute(target_).parent_path(), O_RDONLY | O_DIRECTORY);
+}
+
+}  // namespace fissure

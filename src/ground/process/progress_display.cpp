@@ -1,0 +1,83 @@
+#include "process/progress_display.h"
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdint>
+#include <iomanip>
+#include <ostream>
+#include <sstream>
+
+namespace fissure {
+
+namespace {
+
+constexpr std::chrono::milliseconds terminal_every{100};
+constexpr std::chrono::seconds plain_every{5};
+
+std::size_t columnsOf(int descriptor) {
+  winsize size = {};
+  if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
+  return size.ws_col;
+}
+
+}  // namespace
+
+std::string durationText(double seconds) {
+  if (seconds < 60) return std::to_string(std::lround(seconds)) + " s";
+  const long minutes = std::lround(seconds / 60);
+  if (minutes < 60) return std::to_string(minutes) + " min";
+  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+}
+
+std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s) {
+  std::ostringstream line;
+  std::size_t ended = 0;
+  std::int64_t stepped = 0;  // by the workers
+  std::int64_t left = 0;
+  for (const RunProgress& run : runs) {
+    if (run.phase == RunProgress::Phase::ended) ++ended;
+    stepped += run.progress.step;
+    if (run.phase != RunProgress::Phase::ended) left += run.progress.steps - run.progress.step;
+  }
+  line << ended << "/" << runs.size() << " runs";
+  for (const RunProgress& run : runs)
+    if (run.phase == RunProgress::Phase::running && run.progress.steps > 0)
+      line << ", " << run.name << " " << 100 * run.progress.step / run.progress.steps << "%";
+  const double rate_per_s = elapsed_s > 0 ? static_cast<double>(stepped) / elapsed_s : 0;
+  line << ", " << std::lround(rate_per_s) << " steps/s";
+  if (rate_per_s > 0) line << ", " << durationText(static_cast<double>(left) / rate_per_s) << " left";
+  return line.str();
+}
+
+ProgressDisplay::ProgressDisplay(std::ostream& stream, int descriptor)
+    : stream_(stream),
+      descriptor_(descriptor),
+      terminal_(::isatty(descriptor) != 0),
+      start_(Clock::now()),
+      next_(start_ + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every))) {}
+
+void ProgressDisplay::update(const std::vector<RunProgress>& runs) {
+  show([&](double elapsed_s) { return progressLine(runs, elapsed_s); });
+}
+
+void ProgressDisplay::show(const std::function<std::string(double elapsed_s)>& make_line) {
+  const Clock::time_point now = Clock::now();
+  if (now < next_) return;
+  next_ = now + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every));
+  const std::string line = make_line(std::chrono::duration<double>(now - start_).count());
+  if (!terminal_) {
+    stream_ << line << std::endl;
+    return;
+  }
+  stream_ << "\r\x1b[K" << line.substr(0, columnsOf(descriptor_) - 1) << std::flush;
+  shown_ = true;
+}
+
+void ProgressDisplay::clear() {
+  if (shown_) stream_ << "\r\x1b[K" << std::flush;
+  shown_ = false;
+}
+
+}  // namespace fissure

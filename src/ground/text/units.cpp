@@ -1,0 +1,43 @@
+#include "text/units.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace fissure {
+
+namespace {
+
+struct Prefix {
+  double factor;
+  const char* text;
+};
+constexpr std::array<Prefix, 6> prefixes = {
+    {{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}}};
+
+std::string fourDigits(double value) {
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+bool takesPrefix(const std::string& unit) {
+  return unit == "m" || unit == "N" || unit == "s" || unit == "J" || unit == "Hz" || unit == "N s" ||
+         unit == "m s-1";
+}
+
+}  // namespace
+
+std::string withUnit(double value, const std::string& unit) {
+  const std::string shown = unit == "1" || unit.empty() ? "" : " " + unit;
+  const double size = std::abs(value);
+  if (!takesPrefix(unit) || size == 0 || !std::isfinite(value) || size >= 1e6 || size < 1e-13)
+    return fourDigits(value) + shown;
+  // 999.96 rounds to 1000: the next prefix up is looked for with what four digits leave.
+  for (const Prefix& prefix : prefixes)
+    if (size >= 0.99995 * prefix.factor || prefix.factor < 2e-12)
+      return fourDigits(value / prefix.factor) + " " + prefix.text + unit;
+  return fourDigits(value) + shown;
+}
+
+}  // namespace fissure

@@ -1,0 +1,78 @@
+#include "compare/expectations.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "text/did_you_mean.h"
+#include "text/scalars.h"
+
+namespace fissure {
+
+namespace {
+
+std::string expectedText(const Expectation& expected) {
+  std::string text;
+  if (expected.value) text = formatReal(*expected.value) + " within " + formatReal(*expected.tolerance);
+  if (expected.min && expected.max)
+    return text + (text.empty() ? "" : " and ") + formatReal(*expected.min) + " to " +
+           formatReal(*expected.max);
+  if (expected.min)
+    text += (text.empty() ? "" : " and ") + std::string("at least ") + formatReal(*expected.min);
+  if (expected.max)
+    text += (text.empty() ? "" : " and ") + std::string("at most ") + formatReal(*expected.max);
+  return text;
+}
+
+// So written that NaN holds nowhere.
+bool holds(const Expectation& expected, double found) {
+  if (std::isnan(found)) return false;
+  if (expected.value && !(std::abs(found - *expected.value) <= *expected.tolerance)) return false;
+  if (expected.min && !(found >= *expected.min)) return false;
+  return !expected.max || found <= *expected.max;
+}
+
+CheckedExpectation check(const Expectation& expected, const PipelineResult& run) {
+  CheckedExpectation checked{run.name, expected.quantity, "", expectedText(expected), false};
+  if (run.status.status != "ok") {
+    checked.found = "unknown, the run is " + run.status.status;
+    return checked;
+  }
+  std::vector<std::string> names;
+  for (const SummaryValue& value : run.summary) {
+    if (value.name.rfind("timing/", 0) != 0) names.push_back(value.name);
+    if (value.name != expected.quantity) continue;
+    if (const auto* text = std::get_if<std::string>(&value.value)) {
+      checked.found = "the text " + *text;
+      return checked;
+    }
+    const auto* count = std::get_if<long long>(&value.value);
+    const double found = count ? static_cast<double>(*count) : std::get<double>(value.value);
+    checked.found = formatReal(found);
+    checked.holds = holds(expected, found);
+    return checked;
+  }
+  checked.found = "not in the summary" + didYouMean(expected.quantity, names);
+  return checked;
+}
+
+}  // namespace
+
+std::vector<CheckedExpectation> checkExpectations(const std::vector<Expectation>& expectations,
+                                                  const std::vector<PipelineResult>& runs) {
+  std::vector<CheckedExpectation> all;
+  for (const Expectation& expected : expectations) {
+    const std::size_t before = all.size();
+    for (const PipelineResult& run : runs)
+      if (!expected.pipeline || *expected.pipeline == run.name) all.push_back(check(expected, run));
+    if (all.size() == before)
+      all.push_back({expected.pipeline.value_or("no run"), expected.quantity, "unknown, there is no such run",
+                     expectedText(expected), false});
+  }
+  return all;
+}
+
+std::string expectationText(const CheckedExpectation& checked) {
+  return checked.run + ": " + checked.quantity + " is " + checked.found + ", expected " + checked.expected;
+}
+
+}  // namespace fissure

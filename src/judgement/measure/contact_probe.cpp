@@ -1,0 +1,127 @@
+#include <algorithm>
+#include <cmath>
+
+#include "measure/probe_makers.h"
+#include "measure/statistics.h"
+
+namespace fissure {
+
+namespace {
+
+/// Series contact_count and reaction_force(xyz), of several tools also tool_reaction(tool, xyz); where the
+/// pipeline has tool nodes also candidate_count, infeasible_count and capped_count, and the scalar
+/// node_switch_rate_hz.
+class ContactProbe : public Probe {
+ public:
+  explicit ContactProbe(const Scene& scene);
+
+  void declare(RecordLayout& layout) override;
+  void sample(const State& state, RecordRow& row) override;
+  void summarize(Summary& summary) const override;
+
+ private:
+  void countSwitches(const State& state);
+  double switchRate_hz() const;
+
+  std::size_t node_count_ = 0;
+  std::vector<std::string> tools_;  ///< empty: one at most
+  std::size_t contact_column_ = 0;
+  std::size_t candidate_column_ = 0;
+  std::size_t infeasible_column_ = 0;
+  std::size_t capped_column_ = 0;
+  std::size_t reaction_column_ = 0;
+  std::size_t tool_reaction_column_ = 0;
+
+  long long steps_ = 0;
+  long long contacts_total_ = 0;
+  long long max_contacts_ = 0;
+  long long switches_ = 0;
+  double first_time_s_ = 0;
+  double last_time_s_ = 0;
+  double first_contact_time_s_ = kMissing;
+  std::vector<std::uint8_t> acting_;  // of each node in the last step
+};
+
+}  // namespace
+
+ContactProbe::ContactProbe(const Scene& scene) : node_count_(static_cast<std::size_t>(scene.nodeCount())) {
+  if (scene.tools.size() < 2) return;
+  for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
+}
+
+void ContactProbe::declare(RecordLayout& layout) {
+  const auto count = [&](const char* name, const char* long_name) {
+    return layout.add(
+        {.name = name, .units = "1", .long_name = long_name, .type = ValueType::count, .axes = {}});
+  };
+  contact_column_ = count("contact_count", "contacts that act on the tissue");
+  if (node_count_ > 0) {
+    infeasible_column_ = count("infeasible_count", "candidate contacts excluded by their pair");
+    candidate_column_ = count("candidate_count", "contacts proposed by the detector");
+    capped_column_ = count("capped_count", "acting contacts whose displacement hit the limit of one step");
+  }
+  layout.addAxis(xyzAxis());
+  reaction_column_ = layout.add({.name = "reaction_force",
+                                 .units = "N",
+                                 .long_name = "constraint reaction of the contacts on the tools, scene frame",
+                                 .axes = {"xyz"}});
+  if (tools_.empty()) return;
+  layout.addAxis({"tool", tools_});
+  tool_reaction_column_ = layout.add({.name = "tool_reaction",
+                                      .units = "N",
+                                      .long_name = "constraint reaction on each tool, scene frame",
+                                      .axes = {"tool", "xyz"}});
+}
+
+void ContactProbe::sample(const State& state, RecordRow& row) {
+  row[contact_column_] = state.contact_count;
+  if (node_count_ > 0) {
+    row[infeasible_column_] = state.infeasible_count;
+    row[candidate_column_] = state.candidate_count;
+    row[capped_column_] = state.capped_count;
+    countSwitches(state);
+  }
+  writeVector(state.reaction_on_tool_N, reaction_column_, row);
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const bool known = !state.tool_reactions_N.empty();
+    writeVector(known ? state.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
+                tool_reaction_column_ + 3 * t, row);
+  }
+
+  if (steps_ == 0) first_time_s_ = state.time_s;
+  last_time_s_ = state.time_s;
+  ++steps_;
+  contacts_total_ += state.contact_count;
+  max_contacts_ = std::max<long long>(max_contacts_, state.contact_count);
+  if (state.contact_count > 0 && std::isnan(first_contact_time_s_)) first_contact_time_s_ = state.time_s;
+}
+
+void ContactProbe::countSwitches(const State& state) {
+  const bool first = acting_.empty();
+  acting_.resize(node_count_, 0);
+  for (std::size_t i = 0; i < node_count_; ++i) {
+    const NodeState node = state.node_states[i];
+    const std::uint8_t acting = node == NodeState::feasible || node == NodeState::capped;
+    if (!first && acting != acting_[i]) ++switches_;
+    acting_[i] = acting;
+  }
+}
+
+double ContactProbe::switchRate_hz() const {
+  const double duration_s = last_time_s_ - first_time_s_;
+  if (!(duration_s > 0)) return kMissing;
+  return static_cast<double>(switches_) / (static_cast<double>(node_count_) * duration_s);
+}
+
+void ContactProbe::summarize(Summary& summary) const {
+  summary.push_back({"first_contact_time_s", first_contact_time_s_});
+  summary.push_back(countOrMissing("max_contact_count", steps_ > 0, max_contacts_));
+  summary.push_back(countOrMissing("contacts_total", steps_ > 0, contacts_total_));
+  if (node_count_ > 0) summary.push_back({"node_switch_rate_hz", switchRate_hz()});
+}
+
+std::unique_ptr<Probe> makeContactProbe(const Scene& scene) {
+  return std::make_unique<ContactProbe>(scene);
+}
+
+}  // namespace fissure

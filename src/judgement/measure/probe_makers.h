@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+
+#include "base/probe.h"
+#include "base/scene.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+// One a probe; the series of each and their meaning stand at its class.
+
+/// How deep tools are in tissue, and what passed through.
+std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
+
+/// Where the tools are and how fast they move.
+std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
+
+/// What nodes and contacts did, and the reaction.
+std::unique_ptr<Probe> makeContactProbe(const Scene& scene);
+
+/// How far coupled tools stay behind the hand, and with what force.
+std::unique_ptr<Probe> makeCouplingProbe(const Scenario& scenario);
+
+/// What the force laws say.
+std::unique_ptr<Probe> makeForceProbe(const Scenario& scenario, const Scene& scene);
+
+/// Openings of clamps and the forces on them.
+std::unique_ptr<Probe> makeClampProbe(const Scenario& scenario, const Scene& scene);
+
+/// Volume, energy and inversion of the tissue.
+std::unique_ptr<Probe> makeBodyProbe(const Scene& scene);
+
+/// Mean displacements of the gauges.
+std::unique_ptr<Probe> makeGaugeProbe(const Scene& scene);
+
+/// What a step costs.
+std::unique_ptr<Probe> makeTimingProbe(double step_s);
+
+}  // namespace fissure

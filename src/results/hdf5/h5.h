@@ -1,0 +1,106 @@
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "hdf5/write_driver.h"
+
+namespace fissure::h5 {
+
+/// Throws RunError `<doing> <name>: <HDF5's innermost reason>`.
+[[noreturn]] void fail(std::string_view doing, std::string_view name);
+
+/// Returns what an HDF5 call returned; throws RunError when the call failed (a negative result).
+template <typename Result>
+Result check(Result result, std::string_view doing, std::string_view name = {}) {
+  if (result < 0) fail(doing, name);
+  return result;
+}
+
+/// Owns one HDF5 identifier.
+class Id {
+ public:
+  using Close = herr_t (*)(hid_t);
+
+  Id() = default;
+  /// Takes the identifier that an HDF5 call returned; throws RunError when the call failed.
+  Id(hid_t id, Close closer, std::string_view doing, std::string_view name = {})
+      : id_(check(id, doing, name)), close_(closer) {}
+  Id(Id&& other) noexcept : id_(other.id_), close_(other.close_) { other.id_ = H5I_INVALID_HID; }
+  Id& operator=(Id&& other) noexcept;
+  ~Id() { reset(); }
+
+  operator hid_t() const { return id_; }
+  bool valid() const { return id_ >= 0; }
+  /// Closes and says so when that fails; the destructor closes silently.
+  void close(std::string_view doing, std::string_view name = {});
+  void reset() noexcept;
+
+ private:
+  hid_t id_ = H5I_INVALID_HID;
+  Close close_ = nullptr;
+};
+
+/// Links or attributes that keep their order of creation.
+inline constexpr unsigned tracked_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
+/// File access for every file of ours. HDF5's own error printing is off from here on.
+Id accessProperties();
+/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError.
+Id openToRead(const std::filesystem::path& path);
+
+/// Links and attributes of the new group keep their order of creation.
+Id createGroup(hid_t parent, const std::string& name);
+Id openGroup(hid_t parent, const std::string& name);
+Id openDataset(hid_t parent, const std::string& name);
+/// A group or a dataset.
+Id openObject(hid_t parent, const std::string& name);
+bool isGroup(const Id& object);
+bool exists(hid_t parent, const std::string& name);
+/// Creation properties of a dataset whose attributes keep their order.
+Id datasetProperties();
+std::vector<std::string> childNames(hid_t group);  ///< in order of creation
+std::vector<hsize_t> shapeOf(hid_t dataset);
+bool isText(hid_t dataset);
+/// "f64", "i64", "u8", "text" ...
+std::string typeName(hid_t dataset);
+/// Whether a dataset only shows parts of others (a virtual dataset).
+bool isView(hid_t dataset);
+
+/// Variable-length UTF-8.
+Id textType();
+void writeText(hid_t group, const std::string& name, const std::string& text);
+/// One string an element, row by row; a scalar dataset gives one.
+std::vector<std::string> readTexts(hid_t dataset);
+
+/// Attributes; an existing one of that name is replaced.
+void setAttribute(hid_t object, const std::string& name, const std::string& value);
+void setAttribute(hid_t object, const std::string& name, double value);
+void setAttribute(hid_t object, const std::string& name, std::int64_t value);
+void setAttribute(hid_t object, const std::string& name, std::int32_t value);
+void setAttribute(hid_t object, const std::string& name, const std::vector<std::uint8_t>& values);
+/// Fixed ASCII with a terminating NUL, as the HDF5 Image specification wants it.
+void setImageAttribute(hid_t object, const std::string& name, const std::string& value);
+void removeAttribute(hid_t object, const std::string& name);
+std::vector<std::string> attributeNames(hid_t object);  ///< in order of creation
+/// Also to another file; an existing one of that name is replaced. Not for references.
+void copyAttribute(hid_t from, hid_t to, const std::string& name);
+/// The selected values of a dataset fill another one of as many values.
+void copyValues(hid_t from, hid_t selection, hid_t to, const std::string& name);
+
+using AttributeValue = std::variant<double, long long, std::string>;
+/// A scalar attribute; no value when there is none of that name, or it is no number or string.
+std::optional<AttributeValue> attribute(hid_t object, const std::string& name);
+/// A string attribute; `otherwise` when there is none.
+std::string textAttribute(hid_t object, const std::string& name, const std::string& otherwise = {});
+/// An integer attribute; `otherwise` when there is none.
+long long integerAttribute(hid_t object, const std::string& name, long long otherwise);
+
+}  // namespace fissure::h5

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdf5/h5.h"
+#include "paraview/moving_mesh.h"
+
+namespace fissure {
+
+/// Writes a mesh with all its times into an empty HDF5 file: in the group VTKHDF as version 2.0 of that
+/// format has it (PolyData with Steps, one part; topology once), which ParaView reads from 5.12 on; and
+/// beside it, in snapshots/000000 and so on, a virtual dataset of each moving array at each time, for XDMF:
+/// its readers know no parts of a dataset. Positions are f64, other real arrays f32. Throws RunError and what
+/// the mesh throws.
+void writeVtkFile(hid_t file, const MovingMesh& mesh, const std::vector<double>& times_s);
+
+/// The group of one snapshot in such a file: "snapshots/000012".
+std::string snapshotGroup(std::size_t snapshot);
+
+/// Absolute names of datasets in such a file.
+inline constexpr const char* vtk_triangles = "/VTKHDF/Polygons/Connectivity";
+inline constexpr const char* vtk_vertices = "/VTKHDF/Vertices/Connectivity";
+inline constexpr const char* vtk_point_data = "/VTKHDF/PointData/";
+
+}  // namespace fissure

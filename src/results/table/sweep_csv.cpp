@@ -1,0 +1,101 @@
+#include "table/sweep_csv.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <fstream>
+#include <vector>
+
+#include "base/error.h"
+#include "files/temporary_file.h"
+#include "text/scalars.h"
+#include "text/summary_unit.h"
+
+namespace fissure {
+
+namespace {
+
+constexpr std::size_t rows_a_read = 1024;
+
+enum class Field { number, count, text };
+
+struct Column {
+  std::string name;
+  Field field;
+};
+
+std::vector<Column> columnsOf(const SweepTableLayout& layout) {
+  std::vector<Column> columns = {
+      {"run", Field::count}, {"point", Field::count}, {"pipeline", Field::text}, {"repeat", Field::count}};
+  for (const SweepAxisColumn& axis : layout.axes)
+    columns.push_back({axis.name, axis.numeric ? Field::number : Field::text});
+  for (const char* name : {"status", "status_detail", "file"}) columns.push_back({name, Field::text});
+  for (const SweepMetric& metric : layout.metrics)
+    if (!metric.name.starts_with("timing/"))
+      columns.push_back({metric.name, summaryUnit(metric.name) == "1" ? Field::count : Field::number});
+  return columns;
+}
+
+constexpr double past_whole_numbers = 0x1p53;
+
+/// Whole numbers of a count in digits: readers that want an integer refuse "1e+05".
+std::string numberField(double number, Field field) {
+  if (std::isnan(number)) return "";
+  const bool whole = number == std::trunc(number) && std::abs(number) < past_whole_numbers;
+  if (field == Field::count && whole && number != 0) return std::to_string(static_cast<std::int64_t>(number));
+  return formatReal(number);
+}
+
+/// The fields of some rows of a column.
+std::vector<std::string> fields(const SweepTable& table, const Column& column, std::size_t first,
+                                std::size_t count) {
+  std::vector<std::string> made;
+  if (column.field == Field::text) {
+    for (const std::string& text : table.texts(column.name, first, count)) made.push_back(csvField(text));
+  } else {
+    for (const double number : table.numbers(column.name, first, count))
+      made.push_back(numberField(number, column.field));
+  }
+  return made;
+}
+
+void writeRows(std::ofstream& stream, const SweepTable& table, const std::vector<Column>& columns) {
+  for (std::size_t first = 0; first < table.runs(); first += rows_a_read) {
+    const std::size_t count = std::min(rows_a_read, table.runs() - first);
+    std::vector<std::string> lines(count);
+    for (const Column& column : columns) {
+      const std::vector<std::string> made = fields(table, column, first, count);
+      for (std::size_t i = 0; i < count; ++i) lines[i] += (&column == &columns.front() ? "" : ",") + made[i];
+    }
+    for (const std::string& line : lines) stream << line << '\n';
+  }
+}
+
+}  // namespace
+
+std::string csvField(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string field = "\"";
+  for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
+  return field + '"';
+}
+
+void writeSweepCsv(const std::filesystem::path& path, const SweepTable& table) try {
+  TemporaryFile temporary(path);
+  const std::vector<Column> columns = columnsOf(table.layout());
+  std::ofstream stream(temporary.path(), std::ios::binary);
+  for (const Column& column : columns)
+    stream << (&column == &columns.front() ? "" : ",") << csvField(column.name);
+  stream << '\n';
+  writeRows(stream, table, columns);
+  errno = 0;
+  stream.close();
+  if (!stream) throw RunError(std::string("cannot write: ") + std::strerror(errno != 0 ? errno : EIO));
+  temporary.commit();
+} catch (const RunError& error) {
+  throw RunError(path.string() + ": " + error.what());
+}
+
+}  // namespace fissure

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/state.h"
+#include "contact/contact_constraint.h"
+
+namespace fissure {
+
+/// Contacts as impulses (METHOD section 5, response momentum): Gauss-Seidel sweeps as EnforcedDisplacement's,
+/// but each contact remembers its push and may take back no more than that, so that contacts that share a
+/// triangle end at the least push that holds all (as accumulated impulses do in rigid-body solvers); and the
+/// displacement is motion, so the tissue's momentum changes by what its contacts pushed. What only undoes
+/// overlap that was there when the step began is displacement without motion, so that it throws nothing out.
+///
+/// Coulomb friction: within the same sweeps a contact also pushes along the tool's surface, against what the
+/// tissue point slips on it in the step, by at most `friction` times its push along the normal: a cone, as a
+/// tissue point is as mobile in every direction.
+class ContactImpulses {
+ public:
+  ContactImpulses(int vertex_count, int sweeps) : sweeps_(sweeps), motion_m_(vertex_count) {}
+
+  /// Moves `positions_m` in place. `before_m`: the tissue at the start of the step; tools likewise.
+  /// inverse_masses in 1/kg, 0: fixed.
+  void apply(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
+             const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
+             std::span<const Vec3> before_m, std::span<Vec3> positions_m);
+
+  /// Of the last apply, for each vertex: its displacement as far as it is motion; over the time step, the
+  /// change of its velocity.
+  std::span<const Vec3> motion_m() const { return motion_m_; }
+  /// Impulse of all contacts on the tissue, times the time step: kg m; each contact's times the factor of its
+  /// first vertex.
+  Vec3 total(std::span<const double> factors) const;
+  /// The same of one tool's contacts. `constraints`: those of the last apply.
+  Vec3 ofTool(int tool, std::span<const ContactConstraint> constraints,
+              std::span<const double> factors) const;
+
+  const DisplacementCounts& counts() const { return counts_; }
+
+ private:
+  struct Push {
+    int vertex = 0;            ///< the first of its triangle
+    double mobility = 0;       ///< of the tissue point along the normal, 1/kg
+    double kg_m = 0;           ///< impulse so far times the time step, never negative
+    double tool_way_m = 0;     ///< of the tool point in the step, along the normal
+    double old_overlap_m = 0;  ///< there at the start of the step, as far as it still counts as motion
+    Vec3 friction_kg_m = Vec3::Zero();  ///< the same as kg_m along the surface, on the tissue
+    Vec3 stuck_at_m = Vec3::Zero();     ///< the tissue point had it gone with the tool; only with friction
+  };
+  void prepare(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
+               const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
+               std::span<const Vec3> before_m);
+  void pushOut(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
+               std::span<Vec3> positions_m);
+  void forgetOldOverlap(std::span<const ContactConstraint> constraints,
+                        std::span<const double> inverse_masses);
+  static void rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
+                  std::span<const double> inverse_masses, std::span<Vec3> of_vertices);
+
+  int sweeps_;
+  DisplacementCounts counts_;
+  std::vector<Push> pushes_;  ///< one a constraint
+  std::vector<Vec3> normals_;
+  std::vector<Vec3> start_m_;  ///< positions before the contacts
+  std::vector<Vec3> way_m_;    ///< of each vertex in the step before the contacts
+  std::vector<Vec3> motion_m_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "text/log_table.h"
+
+namespace fissure {
+
+/// A log without names and times: three lines of numbers, all x, all y and all z, as Falcon drivers dump
+/// them. Tolerated as in DelimitedText: what divides the numbers, trailing delimiters, CRLF, empty lines.
+/// Where one line is shorter than the others, the samples beyond its end have no pose. Columns "x", "y", "z".
+class AxisLines : public LogTable {
+ public:
+  /// Throws InputError, with the line, when there are not three lines of numbers.
+  explicit AxisLines(const std::filesystem::path& file);
+
+  std::size_t column(const std::string& name) const override;
+  bool next() override;
+  double number(std::size_t column) const override;
+  int line() const override { return 1; }
+  const std::string& fileName() const override { return file_; }
+
+ private:
+  std::string file_;
+  std::array<std::vector<double>, 3> axes_;
+  std::size_t samples_ = 0;  ///< of the longest line
+  std::size_t taken_ = 0;    ///< samples, this one too
+};
+
+}  // namespace fissure

@@ -1,0 +1,227 @@
+#include "run/run.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "base/frame_text.h"
+#include "base/steps.h"
+#include "motion/jaw_poses.h"
+#include "scenario/rigid_tools.h"
+#include "scene/build_scene.h"
+
+namespace fissure {
+
+namespace {
+
+/// Beyond this no scene of surgery lies, and nothing can be measured: the simulation has exploded.
+constexpr double kFarthest_m = 1e4;
+
+bool isUsable(const Vec3& position_m) {
+  return (position_m.array().abs() <= kFarthest_m).all();
+}  // NaN is not
+
+/// What first left the finite scene, or "".
+std::string lost(const State& state) {
+  for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
+    if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i);
+  }
+  for (std::size_t t = 0; t < state.tools.size(); ++t) {
+    if (!isUsable(state.tools[t].pose.position_m)) return "tool " + std::to_string(t);
+  }
+  return "";
+}
+
+std::string format(const char* pattern, double value) {
+  char text[64];
+  std::snprintf(text, sizeof text, pattern, value);
+  return text;
+}
+
+/// "name: repair; repair; other name: repair", or "".
+std::string repairsOf(const Scene& scene) {
+  std::string text;
+  const auto add = [&](const std::string& name, const std::vector<std::string>& repairs) {
+    for (std::size_t i = 0; i < repairs.size(); ++i)
+      text += (text.empty() ? "" : "; ") + (i == 0 ? name + ": " : "") + repairs[i];
+  };
+  for (const SceneBody& body : scene.bodies) add(body.name, body.repairs);
+  for (const SceneTool& tool : scene.tools) add(tool.name, tool.repairs);
+  return text;
+}
+
+std::optional<double> depth_m(const RecordLayout& layout, const RecordRow& row) {
+  const Series* depth = layout.find("penetration_depth");
+  return depth ? std::optional(row[depth->first_column]) : std::nullopt;
+}
+
+}  // namespace
+
+Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
+    : scenario_(scenario),
+      engine_scenario_(scenario),
+      pipeline_(pipeline),
+      scene_(buildScene(scenario, pipeline.usesNodes())) {
+  engine_scenario_.tools = rigidTools(scenario.tools);
+  double longest_s = 0;
+  for (const ToolSettings& tool : scenario.tools) {
+    motions_.push_back(makeMotion(tool, scenario.directory));
+    longest_s = std::max(longest_s, motions_.back()->duration_s());
+  }
+  const double duration_s = scenario.time.duration_s.value_or(longest_s);
+  steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
+  settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
+  simulation_ = makeSimulation(engine_scenario_, pipeline, scene_, posesAt(0));
+  makeCouplings();
+}
+
+void Run::makeCouplings() {
+  const std::vector<Pose> poses = posesAt(0);
+  for (std::size_t t = 0; t < engine_scenario_.tools.size(); ++t) {
+    const std::optional<CouplingSettings>& settings = engine_scenario_.tools[t].coupling;
+    if (!settings) continue;
+    const auto law = std::find_if(scenario_.force.begin(), scenario_.force.end(),
+                                  [&](const ForceSettings& force) { return force.name == settings->force; });
+    coupled_.push_back({t, static_cast<std::size_t>(law - scenario_.force.begin()),
+                        VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s)});
+  }
+}
+
+// The force is that of the step before: this step's follows from where the tool goes. In steps of a
+// micronewton, so that the last bit of pow(), which differs between processors, does not reach the motion.
+void Run::moveCoupled(std::vector<Pose>& poses) {
+  for (Coupled& coupled : coupled_) {
+    Pose& pose = poses[coupled.tool];
+    const Vec3& force_N =
+        simulation_->state().tool_forces_N[coupled.law * scene_.tools.size() + coupled.tool];
+    const Vec3 felt_N = (1e6 * force_N).array().round() / 1e6;
+    pose.position_m = coupled.coupling.advance(pose.position_m, felt_N);
+  }
+}
+
+RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
+  RecordLayout layout;
+  layout.add(
+      {.name = "time", .units = "s", .long_name = "simulated time: step x dt, from the end of settling"});
+  for (const auto& probe : probes) probe->declare(layout);
+  return layout;
+}
+
+std::vector<Pose> Run::posesAt(double time_s) const {
+  std::vector<Pose> poses;
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    const ToolSettings& tool = scenario_.tools[t];
+    const Pose pose = motions_[t]->poseAt(time_s);
+    if (!tool.clamp) {
+      poses.push_back(pose);
+      continue;
+    }
+    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, motions_[t]->openingAt(time_s));
+    poses.insert(poses.end(), jaws.begin(), jaws.end());
+  }
+  return poses;
+}
+
+void Run::noteClamps(double time_s, State& state) const {
+  state.clamps.clear();
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    if (scenario_.tools[t].clamp)
+      state.clamps.push_back({motions_[t]->poseAt(time_s), motions_[t]->openingAt(time_s)});
+  }
+}
+
+void Run::noteCouplings(State& state) const {
+  state.couplings.clear();
+  for (const Coupled& coupled : coupled_)
+    state.couplings.push_back(
+        {coupled.tool, coupled.coupling.target_m(), coupled.coupling.force_on_tool_N()});
+}
+
+// A copy of the simulation's state, with what the clock and the step number add. False: tissue is no longer
+// finite.
+bool Run::advance(std::int64_t step, State& state) {
+  const double time_s = static_cast<double>(step) * scenario_.time.step_s;
+  std::vector<Pose> poses = posesAt(time_s);
+  if (step > 0) moveCoupled(poses);  // while the tissue settles, hand and tool wait
+  const auto start = std::chrono::steady_clock::now();
+  simulation_->step(poses);
+  const auto end = std::chrono::steady_clock::now();
+  state = simulation_->state();
+  state.step = step;
+  state.time_s = time_s;
+  noteClamps(time_s, state);
+  noteCouplings(state);
+  state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
+  return lost(state).empty();
+}
+
+void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames) {
+  std::fill(row.begin(), row.end(), std::numeric_limits<double>::quiet_NaN());
+  row[0] = state.time_s;
+  for (const auto& probe : outputs.probes) probe->sample(state, row);
+  const RecordSettings& record = scenario_.record;
+  if (record.force_inputs) outputs.sink.forceInputs(state);
+  outputs.sink.append(row);
+  const double step_s = scenario_.time.step_s;
+  if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
+    outputs.sink.snapshot(state);
+  if (frames && isDue(state.step, step_s, record.frames->every_s)) {
+    const auto text = frameText(pipeline_.name, state.time_s, depth_m(outputs.layout, row));
+    outputs.sink.frame(state.time_s, frames->draw(state, text));
+  }
+}
+
+RunStatus Run::execute(const Outputs& outputs) {
+  State state;
+  RecordRow row(outputs.layout.columns());
+  RunStatus status;
+  const std::int64_t total = settling_steps_ + steps_;
+  bool finite = true;
+  for (std::int64_t i = 0; i < settling_steps_ && finite; ++i) {
+    finite = advance(0, state);
+    if (outputs.progress) outputs.progress(i + 1, total);
+  }
+  if (settling_steps_ == 0) {
+    state = simulation_->state();
+    noteClamps(0, state);
+    noteCouplings(state);
+  }
+  state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
+
+  std::unique_ptr<FrameSource> frames;
+  if (scenario_.record.frames) frames = outputs.make_frame_source(state);
+  std::int64_t step = 0;
+  emit(outputs, state, row, frames.get());
+  while (finite && step < steps_) {
+    finite = advance(++step, state);
+    emit(outputs, state, row, frames.get());
+    if (outputs.progress) outputs.progress(settling_steps_ + step, total);
+  }
+
+  Summary summary = {{"provenance/engine_version", engineVersion()}};
+  if (frames) {
+    for (const auto& [name, value] : frames->versions()) summary.push_back({"provenance/" + name, value});
+  }
+  summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
+  if (!finite) {
+    status.status = "non_finite";
+    status.detail = lost(state) + " is not finite or more than 10 km away at step " + std::to_string(step) +
+                    format(" (t = %g s)", state.time_s);
+  }
+  for (const auto& probe : outputs.probes) probe->summarize(summary);
+  if (const std::string repairs = repairsOf(scene_); !repairs.empty())
+    summary.push_back({"repairs", repairs});
+  for (const SummaryValue& value : simulation_->counters()) summary.push_back(value);
+  for (std::size_t t = 0; t < motions_.size(); ++t) {
+    for (SummaryValue value : motions_[t]->summary()) {
+      value.name = scenario_.tools[t].name + "_" + value.name;
+      summary.push_back(std::move(value));
+    }
+  }
+  outputs.sink.finish(status, summary);
+  return status;
+}
+
+}  // namespace fissure

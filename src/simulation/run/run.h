@@ -1,0 +1,72 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "base/image.h"
+#include "base/probe.h"
+#include "base/record_sink.h"
+#include "base/scene.h"
+#include "engine/simulation.h"
+#include "motion/motion.h"
+#include "motion/virtual_coupling.h"
+#include "scenario/scenario.h"
+
+namespace fissure {
+
+/// One scenario through one pipeline in fixed steps: settling, then one row for the initial state and one for
+/// each step. Simulated time is step x dt. Build it, declare the probes, execute once.
+class Run {
+ public:
+  /// Builds scene, motions and world. `scenario` and `pipeline` must outlive the run. Throws InputError for a
+  /// log that cannot be used.
+  Run(const Scenario& scenario, const PipelineSettings& pipeline);
+
+  const Scene& scene() const { return scene_; }
+  std::int64_t stepCount() const { return steps_; }
+
+  /// What a run hands out. Only `sink` is needed.
+  struct Outputs {
+    RecordSink& sink;
+    std::vector<std::unique_ptr<Probe>>& probes;
+    const RecordLayout& layout;  ///< as declareLayout() made it from the same probes
+    /// Makes the renderer from the first state; called once, and only when the scenario asks for frames.
+    std::function<std::unique_ptr<FrameSource>(const State& first)> make_frame_source;
+    std::function<void(std::int64_t step, std::int64_t steps)> progress;  ///< settling steps included
+  };
+
+  /// The record's columns: `time`, then the probes' series.
+  static RecordLayout declareLayout(std::vector<std::unique_ptr<Probe>>& probes);
+
+  /// Runs to the end, or until a position of tissue or tool is not finite or 10 km away (status non_finite,
+  /// with when and where); then hands status and summary to the sink. Errors of sink and renderer pass
+  /// through.
+  RunStatus execute(const Outputs& outputs);
+
+ private:
+  std::vector<Pose> posesAt(double time_s) const;
+  void makeCouplings();
+  void moveCoupled(std::vector<Pose>& poses);
+  void noteClamps(double time_s, State& state) const;
+  void noteCouplings(State& state) const;
+  bool advance(std::int64_t step, State& state);
+  void emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames);
+
+  const Scenario& scenario_;
+  Scenario engine_scenario_;  ///< the same with rigidTools(), one a tool of the scene
+  const PipelineSettings& pipeline_;
+  Scene scene_;
+  std::vector<std::unique_ptr<Motion>> motions_;  ///< one a tool of scenario_
+  /// A tool that a force law moves.
+  struct Coupled {
+    std::size_t tool = 0;  ///< of the scene
+    std::size_t law = 0;
+    VirtualCoupling coupling;
+  };
+  std::vector<Coupled> coupled_;
+  std::int64_t steps_ = 0, settling_steps_ = 0;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+}  // namespace fissure

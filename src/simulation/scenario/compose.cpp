@@ -1,0 +1,214 @@
+#include "scenario/compose.h"
+
+#include <algorithm>
+#include <charconv>
+#include <utility>
+
+#include "base/error.h"
+#include "text/did_you_mean.h"
+#include "text/text_file.h"
+
+namespace fissure {
+
+namespace {
+
+using Kind = YamlNode::Kind;
+using Path = std::filesystem::path;
+
+/// Position of the item that `part` names, or counts; items.size() if there is none.
+std::size_t findItem(const std::vector<YamlNode>& items, const std::string& part) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (itemName(items[i]) == part) return i;
+  }
+  std::size_t index = items.size();
+  const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), index);
+  const bool whole = error == std::errc() && end == part.data() + part.size();
+  return whole && index < items.size() ? index : items.size();
+}
+
+const YamlNode* childAt(const YamlNode& node, const std::string& part) {
+  if (node.kind == Kind::map) return node.find(part);
+  if (node.kind != Kind::list) return nullptr;
+  const std::size_t i = findItem(node.children, part);
+  return i < node.children.size() ? &node.children[i] : nullptr;
+}
+
+std::vector<std::string> itemNames(const std::vector<YamlNode>& items) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < items.size(); ++i)
+    names.push_back(itemName(items[i]).value_or(std::to_string(i)));
+  return names;
+}
+
+bool allNamed(const YamlNode& list) {
+  return list.kind == Kind::list && !list.children.empty() &&
+         std::all_of(list.children.begin(), list.children.end(),
+                     [](const YamlNode& item) { return itemName(item).has_value(); });
+}
+
+void mergeItems(YamlNode& base, YamlNode top) {
+  std::vector<std::string> seen;
+  for (YamlNode& item : top.children) {
+    const std::string name = *itemName(item);
+    // Merging would otherwise hide a duplicate: both would go into the same item of the base.
+    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+      failAt(item.origin, "duplicate name \"" + name + "\", expected each name once");
+    }
+    seen.push_back(name);
+    const auto known = std::find_if(base.children.begin(), base.children.end(),
+                                    [&](const YamlNode& other) { return itemName(other) == name; });
+    if (known == base.children.end()) {
+      base.children.push_back(std::move(item));
+    } else {
+      *known = merge(std::move(*known), std::move(item));
+    }
+  }
+}
+
+bool differentType(const YamlNode& a, const YamlNode& b) {
+  const YamlNode* type_a = a.find("type");
+  const YamlNode* type_b = b.find("type");
+  return type_a && type_b && type_a->text != type_b->text;
+}
+
+/// One name for a file however it is reached.
+Path identityOf(const Path& file) {
+  std::error_code ignored;
+  const Path identity = std::filesystem::weakly_canonical(file, ignored);
+  return identity.empty() ? file.lexically_normal() : identity;
+}
+
+/// `chain`: this file and those that led to it; `bases` grows.
+YamlNode composeFile(const std::string& text, const Path& file, std::vector<Path>& chain,
+                     std::vector<Path>& bases) {
+  YamlNode root = parseYaml(text, {file.string(), 1});
+  if (root.kind == Kind::nothing) failAt({file.string(), 1}, "empty, expected a scenario");
+  if (root.kind != Kind::map) failAt(root.origin, "not a map, expected `key: value` lines");
+  const YamlNode* base = root.find("base");
+  if (!base) return root;
+  const Origin origin = base->origin;
+  if (base->kind != Kind::scalar || base->text.empty()) failAt(origin, "base is no file name, expected one");
+  const Path base_file = file.parent_path() / base->text;
+  std::erase_if(root.children, [](const YamlNode& entry) { return entry.key == "base"; });
+
+  const Path identity = identityOf(base_file);
+  if (std::find(chain.begin(), chain.end(), identity) != chain.end()) {
+    failAt(origin, "base " + base_file.string() + " leads back to itself, expected no cycle of bases");
+  }
+  std::error_code ignored;
+  if (!std::filesystem::exists(base_file, ignored)) {
+    failAt(origin, "base " + base_file.string() + ": no such file, expected a scenario file");
+  }
+  bases.push_back(base_file);
+  chain.push_back(identity);
+  YamlNode below = composeFile(readTextFile(base_file), base_file, chain, bases);
+  chain.pop_back();
+  return merge(std::move(below), std::move(root));
+}
+
+}  // namespace
+
+ComposedTree compose(const std::string& text, const Path& file) {
+  ComposedTree tree;
+  std::vector<Path> chain{identityOf(file)};
+  tree.root = composeFile(text, file, chain, tree.bases);
+  return tree;
+}
+
+std::vector<std::string> splitPath(const std::string& path) {
+  std::vector<std::string> parts(1);
+  for (const char c : path) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  return parts;
+}
+
+std::optional<std::string> itemName(const YamlNode& item) {
+  if (item.find("quantity")) return std::nullopt;  // an expectation is about a pipeline, not named after it
+  for (const char* key : {"name", "pipeline", "model"}) {
+    const YamlNode* value = item.find(key);
+    if (value && value->kind == Kind::scalar) return value->text;
+  }
+  return std::nullopt;
+}
+
+YamlNode merge(YamlNode base, YamlNode top) {
+  if (allNamed(base) && allNamed(top)) {
+    base.origin = top.origin;
+    mergeItems(base, std::move(top));
+    return base;
+  }
+  if (base.kind != Kind::map || top.kind != Kind::map || differentType(base, top)) return top;
+  base.origin = top.origin;
+  for (YamlNode& entry : top.children) {
+    if (YamlNode* known = base.find(entry.key)) {
+      *known = merge(std::move(*known), std::move(entry));
+    } else {
+      base.children.push_back(std::move(entry));
+    }
+  }
+  return base;
+}
+
+void applyOverride(YamlNode& root, const Override& override) {
+  const Origin origin{"--set " + override.path, 0};
+  YamlNode value = parseYaml(override.value, origin);
+  YamlNode* node = &root;
+  std::string walked;
+  for (const std::string& part : splitPath(override.path)) {
+    if (part.empty()) failAt(origin, "an empty name in the path, expected key.key=value");
+    if (node->kind == Kind::list) {
+      const std::size_t i = findItem(node->children, part);
+      if (i == node->children.size()) {
+        failAt(origin,
+               walked + " has no item \"" + part + "\"" + didYouMean(part, itemNames(node->children)));
+      }
+      node = &node->children[i];
+    } else if (node->kind == Kind::map) {
+      if (!node->find(part)) {
+        YamlNode entry;
+        entry.kind = Kind::map;
+        entry.key = part;
+        entry.origin = origin;
+        node->children.push_back(std::move(entry));
+      }
+      node = node->find(part);
+    } else {
+      failAt(origin, walked + " is a single value, expected it to have an entry \"" + part + "\"");
+    }
+    walked += (walked.empty() ? "" : ".") + part;
+  }
+  value.key = node->key;
+  value.origin = origin;
+  *node = std::move(value);
+}
+
+YamlNode* findNode(YamlNode& root, const std::string& path) {
+  YamlNode* node = &root;
+  for (const std::string& part : splitPath(path)) {
+    if (node->kind == Kind::list) {
+      const std::size_t i = findItem(node->children, part);
+      node = i < node->children.size() ? &node->children[i] : nullptr;
+    } else {
+      node = node->kind == Kind::map ? node->find(part) : nullptr;
+    }
+    if (!node) break;
+  }
+  return node;
+}
+
+Origin locate(const YamlNode& root, const std::string& path) {
+  const YamlNode* node = &root;
+  for (const std::string& part : splitPath(path)) {
+    const YamlNode* child = childAt(*node, part);
+    if (!child) break;
+    node = child;
+  }
+  return node->origin;
+}
+
+}  // namespace fissure

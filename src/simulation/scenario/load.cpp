@@ -1,0 +1,113 @@
+#include "scenario/load.h"
+
+#include <system_error>
+#include <utility>
+
+#include "base/error.h"
+#include "scenario/compose.h"
+#include "scenario/read.h"
+#include "text/text_file.h"
+
+namespace fissure {
+
+namespace {
+
+using Path = std::filesystem::path;
+
+Path directoryOf(const Path& file) {
+  const Path parent = file.parent_path();
+  return parent.empty() ? Path(".") : parent;
+}
+
+/// A name written in a base file starts from that file's directory; the scenario's names all start from its
+/// own.
+std::string relativeToScenario(const std::string& name, const Origin& origin, const Path& directory) {
+  const Path written_in = directoryOf(origin.source);
+  if (origin.line == 0 || Path(name).is_absolute() || written_in == directory) return name;
+  const Path whole = (written_in / name).lexically_normal();
+  const Path relative = whole.lexically_relative(directory.lexically_normal());
+  return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();
+}
+
+/// Makes the name of an input start from the scenario's directory, in `root` too, and says which file it is.
+/// `path`: where the scenario names it; `kind`: what it should be.
+Path resolve(std::string& name, const std::string& path, const char* kind, YamlNode& root,
+             const Path& directory) {
+  const Origin origin = locate(root, path);
+  name = relativeToScenario(name, origin, directory);
+  if (YamlNode* written = findNode(root, path)) written->text = name;
+  Path file = directory / name;
+  std::error_code ignored;
+  if (!std::filesystem::is_regular_file(file, ignored)) {
+    failAt(origin, path + " is \"" + name + "\": no such file, expected a " + kind);
+  }
+  return file;
+}
+
+/// The logs and meshes that the scenario names.
+std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
+  std::vector<Path> files;
+  const auto addMesh = [&](SurfaceShape& shape, const std::string& path) {
+    if (auto* mesh = std::get_if<FileShape>(&shape))
+      files.push_back(resolve(mesh->file, path + ".shape.file", "mesh", root, scenario.directory));
+  };
+  for (BodySettings& body : scenario.bodies) addMesh(body.shape, "bodies." + body.name);
+  for (ToolSettings& tool : scenario.tools) {
+    const std::string path = "tools." + tool.name;
+    addMesh(tool.shape, path);
+    if (tool.clamp && tool.clamp->left_jaw) addMesh(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw");
+    for (std::size_t i = 0; tool.clamp && i < tool.clamp->handle.size(); ++i)
+      addMesh(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i));
+    if (auto* replay = std::get_if<ReplayMotion>(&tool.motion))
+      files.push_back(
+          resolve(replay->file, "tools." + tool.name + ".motion.file", "log", root, scenario.directory));
+  }
+  return files;
+}
+
+struct Parsed {
+  ComposedTree tree;
+  LoadedScenario loaded;  ///< without inputs and resolved text
+};
+
+Parsed parse(const std::string& text, const Path& file, const std::vector<Override>& overrides) {
+  Parsed parsed{compose(text, file), {}};
+  auto& [tree, loaded] = parsed;
+  for (const Override& override : overrides) applyOverride(tree.root, override);
+  loaded.source = text;
+  loaded.scenario = readScenario(tree.root);
+  loaded.scenario.directory = directoryOf(file);
+  const std::vector<Problem> problems = validate(loaded.scenario);
+  if (!problems.empty()) {
+    const Problem& first = problems.front();
+    failAt(locate(tree.root, first.path), first.path + " " + first.message);
+  }
+  for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults();
+  return parsed;
+}
+
+}  // namespace
+
+LoadedScenario parseScenario(const std::string& text, const Path& file,
+                             const std::vector<Override>& overrides) {
+  auto [tree, loaded] = parse(text, file, overrides);
+  loaded.inputs = std::move(tree.bases);
+  for (Path& input : resolveInputs(loaded.scenario, tree.root)) loaded.inputs.push_back(std::move(input));
+  loaded.composed = flowText(tree.root);
+  loaded.resolved = toYaml(loaded.scenario);
+  return loaded;
+}
+
+LoadedScenario parseStoredScenario(const std::string& text) {
+  LoadedScenario loaded = parse(text, "scenario_resolved", {}).loaded;
+  loaded.resolved = text;
+  return loaded;
+}
+
+LoadedScenario loadScenario(const Path& file, const std::vector<Override>& overrides) {
+  LoadedScenario loaded = parseScenario(readTextFile(file), file, overrides);
+  loaded.inputs.insert(loaded.inputs.begin(), file);
+  return loaded;
+}
+
+}  // namespace fissure

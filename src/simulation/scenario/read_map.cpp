@@ -1,0 +1,76 @@
+#include "scenario/read_map.h"
+
+#include <utility>
+
+#include "text/did_you_mean.h"
+
+namespace fissure {
+
+namespace {
+
+using Kind = YamlNode::Kind;
+
+}  // namespace
+
+MapReader::MapReader(const YamlNode& node, std::string path) : map_(node), path_(std::move(path)) {
+  if (node.kind == Kind::map) return;
+  const std::string expected = node.kind == Kind::nothing ? "a map ({} for its defaults)" : "a map";
+  wrongNode(node, path_.empty() ? "the document" : path_, expected);
+}
+
+void MapReader::nameOr(const char* key, std::string& value, const char* other_key) {
+  const YamlNode* node = take(key);
+  const YamlNode* other = map_.find(other_key);
+  if (node) {
+    readValue(*node, pathOf(key), value);
+  } else if (other && other->kind == Kind::scalar) {
+    value = other->text;
+  }
+}
+
+void MapReader::choices(const char* key, std::vector<std::string>& values,
+                        const std::vector<CatalogEntry>& table) {
+  const YamlNode* node = take(key);
+  if (!node) return;
+  requireList(*node, pathOf(key));
+  values.clear();
+  for (std::size_t i = 0; i < node->children.size(); ++i) {
+    const YamlNode& item = node->children[i];
+    values.emplace_back(table[readChoice(item, itemPath(*node, pathOf(key), i), table)].name);
+  }
+}
+
+void MapReader::text(const char* key, std::string& value) {
+  if (const YamlNode* node = take(key)) readText(*node, pathOf(key), value);
+}
+
+void MapReader::finish() const {
+  const std::string where = path_.empty() ? "" : " in " + path_;
+  for (const YamlNode& entry : map_.children) {
+    const bool misplaced = std::any_of(misplaced_.begin(), misplaced_.end(),
+                                       [&](const Misplaced& m) { return m.entry == &entry; });
+    if (misplaced || std::find(known_.begin(), known_.end(), entry.key) != known_.end()) continue;
+    failAt(entry.origin, "unknown key " + inQuotes(entry.key) + where + didYouMean(entry.key, known_));
+  }
+  if (!missing_.empty()) failAt(map_.origin, "missing key " + inQuotes(missing_) + where + ", expected it");
+  if (!misplaced_.empty()) {
+    const auto& [entry, when] = misplaced_.front();
+    failAt(entry->origin,
+           "key " + inQuotes(entry->key) + where + " has no meaning here, expected it only for " + when);
+  }
+}
+
+const YamlNode* MapReader::take(const char* key) {
+  known_.emplace_back(key);
+  return map_.find(key);
+}
+
+std::string MapReader::pathOf(const std::string& key) const {
+  return path_.empty() ? key : path_ + "." + key;
+}
+
+void MapReader::noteMisplaced(const char* key, const char* when) {
+  if (const YamlNode* entry = map_.find(key)) misplaced_.push_back({entry, when});
+}
+
+}  // namespace fissure

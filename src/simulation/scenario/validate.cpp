@@ -1,0 +1,213 @@
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+
+#include "base/steps.h"
+#include "scenario/checker.h"
+#include "scenario/rigid_tools.h"
+#include "text/scalars.h"
+
+namespace fissure {
+
+namespace {
+
+constexpr double max_pictures = 1e6;
+constexpr double max_triangles = 1 << 20;
+constexpr double max_nodes = 1 << 21;
+constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
+
+/// Checks the items of a named list, each below its name, or below its index where the name is bad or taken.
+/// `seen`: names that are taken; the list's are added.
+template <class Item, class Check>
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    const std::string& name = items[i].name;
+    const bool good = isName(name);
+    const bool fresh = seen.insert(name).second;
+    Checker item = check.in(good && fresh ? name : std::to_string(i));
+    item.require(good, "name", "is \"" + name + "\", expected 1 to 64 letters, digits, '_' or '-'");
+    item.require(!good || fresh, "name", "is \"" + name + "\" again, expected each name once");
+    checkItem(item, items[i]);
+  }
+}
+
+template <class Item, class Check>
+void checkItems(Checker check, const std::vector<Item>& items, Check checkItem) {
+  std::set<std::string> seen;
+  checkItems(check, items, checkItem, seen);
+}
+
+/// Duration of the run in seconds as far as the scenario says it; nothing if only a log does.
+std::optional<double> knownDuration(const Scenario& scenario) {
+  if (scenario.time.duration_s) return scenario.time.duration_s;
+  double longest_s = 0;
+  for (const ToolSettings& tool : scenario.tools) {
+    const auto* script = std::get_if<ScriptMotion>(&tool.motion);
+    if (!script) return std::nullopt;
+    longest_s = std::max(longest_s, scriptDuration(*script));
+  }
+  return longest_s;
+}
+
+void checkTime(Checker check, const TimeSettings& time) {
+  check.positive("step_s", time.step_s);
+  check.notNegative("settle_s", time.settle_s);
+  if (time.duration_s) check.positive("duration_s", *time.duration_s);
+}
+
+/// The duration against the step. Takes good values.
+void checkSteps(Checker check, const TimeSettings& time, double duration_s) {
+  const std::string step = "is " + formatReal(time.step_s);
+  const std::string duration = formatReal(duration_s) + " s";
+  if (duration_s == 0)
+    return check.fail("", "has no duration_s and no tool moves or holds, expected one of them");
+  check.require(time.step_s <= duration_s, "step_s", step + ", expected at most the duration, " + duration);
+  check.require(duration_s / time.step_s <= max_steps, "step_s",
+                step + ", more than 1e8 steps in " + duration + ", expected fewer");
+}
+
+double triangleCount(const Scenario& scenario) {
+  double count = 0;
+  for (const BodySettings& body : scenario.bodies) {
+    if (const auto* sphere = std::get_if<SphereShape>(&body.shape))
+      count += 8 * std::pow(4, sphere->subdivisions);
+    if (const auto* list = std::get_if<TrianglesShape>(&body.shape))
+      count += static_cast<double>(list->faces.size());
+    if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
+    if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) count += capsule->triangles();
+    if (const auto* lobes = std::get_if<LobesShape>(&body.shape)) count += lobes->triangles();
+  }
+  return count;
+}
+
+/// Refuses what no machine would hold. Takes good values.
+void checkSizes(Checker check, const Scenario& scenario) {
+  const double triangles = triangleCount(scenario);
+  check.require(
+      triangles <= max_triangles, "bodies",
+      "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
+  double nodes = 0;
+  for (const ToolSettings& tool : rigidTools(scenario.tools)) {
+    if (tool.nodePlacement() == "grid") nodes += tool.nodes.gridCount();
+  }
+  check.require(nodes <= max_nodes, "tools",
+                "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));
+}
+
+/// A period shorter than the step cannot be kept; equal to it up to rounding is fine.
+void checkPeriod(Checker check, const std::string& key, double every_s, double step_s) {
+  check.require(every_s >= step_s * (1 - step_slack), key,
+                "is " + formatReal(every_s) + ", expected at least time.step_s, " + formatReal(step_s));
+}
+
+/// What is recorded how often against step and duration (if known). Takes good values.
+void checkAmounts(Checker check, const Scenario& scenario, std::optional<double> duration_s) {
+  const RecordSettings& record = scenario.record;
+  check.require(!record.force_inputs || !scenario.force.empty(), "force_inputs",
+                "is true, but the scenario has no force law, expected one in `force`");
+  if (record.frames) {
+    checkPeriod(check, "frames.every_s", record.frames->every_s, scenario.time.step_s);
+    const double pictures = std::floor(duration_s.value_or(0) / record.frames->every_s);
+    check.require(pictures <= max_pictures, "frames.every_s",
+                  "makes " + formatReal(pictures) + " pictures, expected at most 1e6");
+  }
+  if (record.snapshots_every_s) {
+    checkPeriod(check, "snapshots_every_s", *record.snapshots_every_s, scenario.time.step_s);
+    // A closed triangle surface has about half as many vertices as triangles.
+    const double snapshots = duration_s.value_or(0) / *record.snapshots_every_s;
+    const double values = snapshots * triangleCount(scenario) / 2 * 3;
+    check.require(values <= max_snapshot_values, "snapshots_every_s",
+                  "makes about " + formatReal(std::round(values)) + " numbers, expected at most 4e10");
+  }
+}
+
+/// Friction is a share of the contacts' force, and response none knows none.
+void checkFriction(Checker check, const Scenario& scenario) {
+  for (const ToolSettings& tool : scenario.tools) {
+    for (const PipelineSettings& entry : scenario.pipelines) {
+      const bool rubs = !entry.usesNodes() || entry.contactResponse() == "momentum";
+      check.require(tool.friction == 0 || rubs, tool.name + ".friction",
+                    "is " + formatReal(tool.friction) + ", but run " + entry.name +
+                        " has response none and with it no force to rub with, expected 0 or pipelines." +
+                        entry.name + ".response momentum");
+    }
+  }
+}
+
+void checkCouplings(Checker check, const Scenario& scenario) {
+  for (const ToolSettings& tool : scenario.tools) {
+    if (!tool.coupling) continue;
+    const bool known =
+        std::any_of(scenario.force.begin(), scenario.force.end(),
+                    [&](const ForceSettings& law) { return law.name == tool.coupling->force; });
+    check.require(known, tool.name + ".coupling.force",
+                  "is \"" + tool.coupling->force + "\", expected the name of an entry of force");
+  }
+}
+
+/// Relations between values that are good each by itself.
+void checkRelations(Checker check, const Scenario& scenario) {
+  const std::optional<double> duration_s = knownDuration(scenario);
+  Checker time = check.in("time");
+  time.require(scenario.time.settle_s / scenario.time.step_s <= max_steps, "settle_s",
+               "takes more than 1e8 steps, expected fewer");
+  if (duration_s) checkSteps(time, scenario.time, *duration_s);
+  checkSizes(check, scenario);
+  checkFriction(check.in("tools"), scenario);
+  checkJawNames(check.in("tools"), scenario.tools);
+  checkCouplings(check.in("tools"), scenario);
+  checkAmounts(check.in("record"), scenario, duration_s);
+}
+
+void checkSurroundings(Checker check, const Scenario& scenario) {
+  Checker world = check.in("world");
+  world.finite("gravity_m_s2", scenario.world.gravity_m_s2);
+  world.notNegative("air_density_kg_m3", scenario.world.air_density_kg_m3);
+  world.positive("max_displacement_m", scenario.world.max_displacement_m);
+  if (!scenario.ground) return;
+  Checker ground = check.in("ground");
+  ground.finite("height_m", scenario.ground->height_m);
+  ground.notNegative("friction", scenario.ground->friction);
+  ground.between("hardness", scenario.ground->hardness, 0, 1);
+}
+
+}  // namespace
+
+bool isName(std::string_view text) {
+  return !text.empty() && text.size() <= 64 && std::all_of(text.begin(), text.end(), [](unsigned char c) {
+    return c < 0x80 && (std::isalnum(c) || c == '_' || c == '-');
+  });
+}
+
+std::vector<Problem> validate(const Scenario& scenario) {
+  std::vector<Problem> problems;
+  Checker check(problems, "");
+  check.require(scenario.format == 1, "format", "is " + std::to_string(scenario.format) + ", expected 1");
+  check.require(isName(scenario.name), "name",
+                "is \"" + scenario.name + "\", expected 1 to 64 letters, digits, '_' or '-'");
+  const bool one_line = std::none_of(scenario.description.begin(), scenario.description.end(),
+                                     [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  check.require(one_line, "description", "has line ends or control characters, expected one line of text");
+  checkTime(check.in("time"), scenario.time);
+  checkSurroundings(check, scenario);
+  check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");
+  checkItems(check.in("bodies"), scenario.bodies, checkBody);
+  std::set<std::string> gauges;
+  for (const BodySettings& body : scenario.bodies)
+    checkItems(check.in("bodies").in(body.name).in("gauges"), body.gauges, checkGauge, gauges);
+  checkItems(check.in("tools"), scenario.tools, checkTool);
+  check.require(!scenario.pipelines.empty(), "pipelines", "is empty, expected at least one");
+  checkItems(check.in("pipelines"), scenario.pipelines, checkPipeline);
+  checkItems(check.in("force"), scenario.force, checkForce);
+  checkRecord(check.in("record"), scenario.record);
+  if (scenario.measure.sample_spacing_m) {
+    check.in("measure").positive("sample_spacing_m", *scenario.measure.sample_spacing_m);
+  }
+  checkExpectations(check.in("expect"), scenario);
+  // Relations between bad values would only hide what is wrong.
+  if (problems.empty()) checkRelations(check, scenario);
+  return problems;
+}
+
+}  // namespace fissure

@@ -1,0 +1,102 @@
+#include <algorithm>
+
+#include "scenario/checker.h"
+#include "text/did_you_mean.h"
+
+namespace fissure {
+
+namespace {
+
+void checkCamera(Checker check, const CameraSettings& camera) {
+  check.finite("position_m", camera.position_m);
+  check.finite("look_at_m", camera.look_at_m);
+  check.finite("up", camera.up);
+  check.between("field_of_view_deg", camera.field_of_view_deg, 1, 150);
+  const Vec3 view = camera.look_at_m - camera.position_m;
+  check.require(!(view.norm() == 0), "look_at_m", "is where the camera stands, expected another point");
+  check.require(!(view.normalized().cross(camera.up.normalized()).norm() < 1e-9) || view.norm() == 0, "up",
+                "is zero or along the view, expected a direction across it");
+}
+
+void checkFrames(Checker check, const FrameSettings& frames) {
+  check.positive("every_s", frames.every_s);
+  check.between("size_px", frames.width_px, 16, 4096);
+  check.between("size_px", frames.height_px, 16, 4096);
+  if (frames.camera) checkCamera(check.in("camera"), *frames.camera);
+}
+
+}  // namespace
+
+void checkPipeline(Checker check, const PipelineSettings& pipeline) {
+  check.oneOf("pipeline", pipeline.pipeline, catalog().pipelines);
+  check.oneOf("precision", pipeline.precision, catalog().precisions);
+  check.oneOf("settings", pipeline.settings, catalog().settings);
+  if (pipeline.sdf_voxel_m) check.positive("sdf_voxel_m", *pipeline.sdf_voxel_m);
+  if (pipeline.kinematic_hardness) check.between("kinematic_hardness", *pipeline.kinematic_hardness, 0, 1);
+  if (pipeline.ray_length_m) check.positive("ray_length_m", *pipeline.ray_length_m);
+  if (pipeline.response) check.oneOf("response", *pipeline.response, catalog().responses);
+  check.between("sweeps", pipeline.sweeps, 1, 1000);
+  check.positive("max_displacement_m", pipeline.max_displacement_m);
+  check.positive("time_limit_s", pipeline.time_limit_s);
+}
+
+void checkForce(Checker check, const ForceSettings& force) {
+  check.oneOf("model", force.model, catalog().force_laws);
+  check.notNegative("k", force.k);
+  check.notNegative("lambda", force.lambda);
+  check.positive("n", force.n);
+  check.oneOf("rate", force.rate, catalog().rates);
+  check.notNegative("c", force.c);
+  check.oneOf("deformation", force.deformation, catalog().deformations);
+  if (!force.tissue) return;
+  check.oneOf("tissue", *force.tissue, catalog().tissues);
+  check.require(force.model == "hunt_crossley" && !force.per_area, "tissue",
+                "is given, expected it only for model hunt_crossley without per_area");
+}
+
+void checkRecord(Checker check, const RecordSettings& record) {
+  if (record.snapshots_every_s) check.positive("snapshots_every_s", *record.snapshots_every_s);
+  if (record.frames) checkFrames(check.in("frames"), *record.frames);
+}
+
+std::vector<Problem> validate(const FrameSettings& frames) {
+  std::vector<Problem> problems;
+  checkFrames({problems, ""}, frames);
+  return problems;
+}
+
+namespace {
+
+void checkExpectation(Checker check, const Expectation& expected) {
+  check.require(!expected.quantity.empty() && expected.quantity.rfind("timing/", 0) != 0, "quantity",
+                "is \"" + expected.quantity +
+                    "\", expected the name of a summary value that is the same on every machine");
+  if (expected.value) check.finite("value", *expected.value);
+  if (expected.tolerance) check.notNegative("tolerance", *expected.tolerance);
+  if (expected.min) check.finite("min", *expected.min);
+  if (expected.max) check.finite("max", *expected.max);
+  check.require(expected.value.has_value() == expected.tolerance.has_value(), "",
+                expected.value ? "has a value without a tolerance, expected both"
+                               : "has a tolerance without a value, expected both");
+  check.require(expected.value || expected.min || expected.max, "",
+                "says nothing about " + expected.quantity + ", expected value and tolerance, min or max");
+  check.require(!expected.min || !expected.max || *expected.min <= *expected.max, "min",
+                "is above max, expected at most max");
+}
+
+}  // namespace
+
+void checkExpectations(Checker check, const Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const PipelineSettings& entry : scenario.pipelines) names.push_back(entry.name);
+  for (std::size_t i = 0; i < scenario.expect.size(); ++i) {
+    Checker item = check.in(std::to_string(i));
+    const std::optional<std::string>& name = scenario.expect[i].pipeline;
+    checkExpectation(item, scenario.expect[i]);
+    item.require(!name || std::find(names.begin(), names.end(), *name) != names.end(), "pipeline",
+                 "is \"" + name.value_or("") + "\", which is no entry of pipelines" +
+                     didYouMean(name.value_or(""), names));
+  }
+}
+
+}  // namespace fissure

@@ -1,0 +1,108 @@
+#include "scene/build_scene.h"
+
+#include "base/error.h"
+#include "contact/centroid_nodes.h"
+#include "contact/grid_nodes.h"
+#include "mesh/check.h"
+#include "mesh/file_surface.h"
+#include "mesh/orient.h"
+#include "mesh/subdivide.h"
+#include "scenario/rigid_tools.h"
+#include "scene/fixed_vertices.h"
+#include "scene/place.h"
+
+namespace fissure {
+
+namespace {
+
+SceneBody makeBody(const BodySettings& body, const std::filesystem::path& directory) {
+  if (const auto* shape = std::get_if<FileShape>(&body.shape)) {
+    FileSurface surface = loadSurface(*shape, directory);
+    return {.name = body.name,
+            .rest = placeBody(body, std::move(surface.mesh)),
+            .repairs = std::move(surface.repairs)};
+  }
+  return {.name = body.name, .rest = placeBody(body, directory)};
+}
+
+ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
+  const NodeSettings& nodes = tool.nodes;
+  if (tool.nodePlacement() == "grid")
+    return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_rows);
+  const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
+  constexpr std::size_t most_triangles = 131072;
+  TriangleMesh fine = surface;
+  const bool few = nodes.max_spacing_m ? subdivide(fine, *nodes.max_spacing_m, most_triangles)
+                                       : fine.faces.size() <= most_triangles;
+  if (!few)
+    throw InputError("tools." + tool.name + ".nodes" + (nodes.max_spacing_m ? ".max_spacing_m" : "") +
+                     ": in more than " + std::to_string(most_triangles) + " triangles, expected fewer");
+  return makeCentroidNodes(fine, settings);
+}
+
+SceneTool makeTool(const ToolSettings& tool, const std::filesystem::path& directory, bool with_nodes) {
+  SceneTool made{.name = tool.name};
+  if (const auto* shape = std::get_if<FileShape>(&tool.shape)) {
+    FileSurface surface = loadSurface(*shape, directory);
+    made.surface = std::move(surface.mesh);
+    made.repairs = std::move(surface.repairs);
+  } else {
+    made.surface = makeSurface(tool.shape);
+  }
+  if (const auto* box = std::get_if<BoxShape>(&tool.shape)) made.box_size_m = box->size_m;
+  if (tool.mirrored) mirror(made.surface);
+  made.closed = hasInside(made.surface);
+  if (with_nodes) made.nodes = makeNodes(tool, made.surface);
+  return made;
+}
+
+/// All parts of a handle as one surface, in the clamp's frame.
+TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const std::filesystem::path& directory) {
+  TriangleMesh handle;
+  for (const ClampPart& part : parts) {
+    const Pose pose{part.position_m, part.orientation.normalized()};
+    const TriangleMesh shape = makeSurface(part.shape, directory);
+    const int first = static_cast<int>(handle.vertices_m.size());
+    for (const Vec3& vertex_m : shape.vertices_m) handle.vertices_m.push_back(pose.toScene(vertex_m));
+    for (const Face& face : shape.faces)
+      handle.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  }
+  return handle;
+}
+
+void addClamp(const ToolSettings& clamp, const std::filesystem::path& directory, bool drawn, Scene& scene) {
+  const int left = static_cast<int>(scene.tools.size());
+  scene.clamps.push_back({.name = clamp.name,
+                          .left_tool = left,
+                          .right_tool = left + 1,
+                          .hinged = clamp.clamp->opening == ClampOpening::hinged,
+                          .handle = drawn ? makeHandle(clamp.clamp->handle, directory) : TriangleMesh{}});
+}
+
+}  // namespace
+
+Scene buildScene(const Scenario& scenario, bool with_nodes) {
+  Scene scene;
+  for (const BodySettings& body : scenario.bodies) {
+    SceneBody placed = makeBody(body, scenario.directory);
+    placed.first_vertex = scene.vertexCount();
+    placed.first_face = scene.faceCount();
+    placed.fixed_vertices = fixedVertices(body, placed.rest);
+    for (const GaugeSettings& gauge : body.gauges)
+      placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
+    scene.bodies.push_back(std::move(placed));
+  }
+  const bool drawn = scenario.record.frames || scenario.record.snapshots_every_s;
+  for (const ToolSettings& tool : scenario.tools) {
+    if (tool.clamp) addClamp(tool, scenario.directory, drawn, scene);
+    for (const ToolSettings& rigid : rigidTools({tool})) {
+      SceneTool made = makeTool(rigid, scenario.directory, with_nodes);
+      made.first_node = scene.nodeCount();
+      scene.tools.push_back(std::move(made));
+    }
+  }
+  if (scenario.ground) scene.ground_height_m = scenario.ground->height_m;
+  return scene;
+}
+
+}  // namespace fissure

@@ -1,0 +1,21 @@
+#include "text/units.h"
+
+#include <gtest/gtest.h>
+
+namespace fissure::units_test {
+
+namespace {
+
+TEST(Units, ValuesHaveFourDigitsAndAPrefix) {
+  EXPECT_EQ(withUnit(0.0230214, "m"), "23.02 mm");
+  EXPECT_EQ(withUnit(-1e-6, "m"), "-1 um");
+  EXPECT_EQ(withUnit(56.114, "N"), "56.11 N");
+  EXPECT_EQ(withUnit(1234, "N"), "1.234 kN");
+  EXPECT_EQ(withUnit(0.00099999, "m"), "1 mm");
+  EXPECT_EQ(withUnit(0, "m"), "0 m");
+  EXPECT_EQ(withUnit(74, "1"), "74");
+  EXPECT_EQ(withUnit(0.0001031, "m3"), "0.0001031 m3");
+}
+
+}  // namespace
+}  // namespace fissure::units_test

@@ -1,0 +1,442 @@
+#include "measure/probes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "measure/final_state_probe.h"
+#include "mesh/primitives.h"
+#include "oracles.h"
+
+namespace fissure::probes_test {
+
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// A run of makeProbes' probes over states that a test makes up.
+class ProbesTest : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}});
+    state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
+    scenario_.time.step_s = 0.001;
+  }
+  void addNodes(int count) {
+    scene_.tools[0].nodes.positions_m.assign(static_cast<std::size_t>(count), Vec3::Zero());
+    state_.node_states.assign(static_cast<std::size_t>(count), NodeState::free);
+  }
+  void addLaws(const std::vector<std::string>& names) {
+    for (const std::string& name : names)
+      scenario_.force.push_back({.name = name, .model = "linear_elastic"});
+    state_.forces.resize(names.size());
+    state_.tool_forces_N.resize(names.size() * scene_.tools.size(), Vec3::Zero());
+  }
+  void limitForce(double limit_N) {
+    ToolSettings tool;
+    tool.name = scene_.tools[0].name;
+    tool.force_limit_N = limit_N;
+    scenario_.tools.push_back(tool);
+  }
+  void start() {
+    probes_ = makeProbes(scenario_, scene_);
+    for (const auto& probe : probes_) probe->declare(layout_);
+    row_.assign(layout_.columns(), 12345.0);
+  }
+  void step() {
+    for (const auto& probe : probes_) probe->sample(state_, row_);
+    ++state_.step;
+    state_.time_s = static_cast<double>(state_.step) * scenario_.time.step_s;
+  }
+  double value(const std::string& series, std::size_t index = 0) const {
+    return row_[layout_.find(series)->first_column + index];
+  }
+  std::vector<std::string> seriesNames() const {
+    std::vector<std::string> names;
+    for (const Series& series : layout_.series()) names.push_back(series.name);
+    return names;
+  }
+  SummaryValue scalar(const std::string& name) const {
+    Summary summary;
+    for (const auto& probe : probes_) probe->summarize(summary);
+    for (const SummaryValue& value : summary) {
+      if (value.name == name) return value;
+    }
+    return {"absent", std::string("absent")};
+  }
+  double real(const std::string& name) const { return std::get<double>(scalar(name).value); }
+  long long count(const std::string& name) const { return std::get<long long>(scalar(name).value); }
+
+  Scenario scenario_;
+  Scene scene_;
+  State state_;
+  RecordLayout layout_;
+  RecordRow row_;
+  std::vector<std::unique_ptr<Probe>> probes_;
+};
+
+using Names = std::vector<std::string>;
+
+TEST_F(ProbesTest, DeclareOnlyWhatTheSceneNeeds) {
+  start();
+  EXPECT_EQ(seriesNames(),
+            (Names{"penetration_depth", "passed_through", "inverted_triangles", "stand_off", "tool_position",
+                   "tool_quaternion", "contact_count", "reaction_force", "kinetic_energy", "momentum",
+                   "volume", "timing/step_time_us", "timing/collision_time_us"}));
+  EXPECT_EQ(scalar("node_switch_rate_hz").name, "absent");
+  EXPECT_EQ(scalar("max_force_N").name, "absent");
+}
+
+// Two vertices of the second body, by numbers made up; what counts is the way since the first sample.
+TEST_F(ProbesTest, AGaugeIsTheMeanWayOfItsVerticesSinceTimeZero) {
+  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1}), makeBox({0.2, 0.2, 0.2})}, {});
+  scene_.bodies[0].gauges = {{"one", {3}}};
+  scene_.bodies[1].gauges = {{"two", {0, 7}}};
+  state_ = test::restState(scene_, {});
+  for (Vec3& position_m : state_.positions_m) position_m += Vec3(1, 2, 3);  // settled somewhere else
+  start();
+  EXPECT_EQ(layout_.axis("gauge").labels, (Names{"one", "two"}));
+  EXPECT_TRUE(std::isnan(real("gauge_one_x_max_m"))) << "never sampled";
+  step();
+  EXPECT_EQ(value("gauge_displacement", 3), 0);
+  state_.positions_m[8 + 0] += Vec3(0.2, 0, 0);
+  state_.positions_m[8 + 7] += Vec3(0.4, -0.1, 0);
+  state_.positions_m[8 + 5] += Vec3(9, 9, 9);
+  step();
+  EXPECT_EQ(value("gauge_displacement", 0), 0);
+  EXPECT_NEAR(value("gauge_displacement", 3), 0.3, 1e-15);
+  EXPECT_NEAR(value("gauge_displacement", 4), -0.05, 1e-15);
+  state_.positions_m[8 + 0] -= Vec3(1.2, 0, 0);
+  step();
+  EXPECT_NEAR(real("gauge_two_x_max_m"), 0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_x_min_m"), -0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_x_final_m"), -0.3, 1e-15);
+  EXPECT_NEAR(real("gauge_two_y_min_m"), -0.05, 1e-15);
+  EXPECT_EQ(real("gauge_two_y_max_m"), 0);
+  EXPECT_EQ(real("gauge_one_z_min_m"), 0);
+  state_.positions_m[3].x() = kNaN;
+  step();
+  state_.positions_m[3].x() = 0;
+  step();
+  EXPECT_TRUE(std::isnan(real("gauge_one_x_min_m")) && std::isnan(real("gauge_one_x_max_m")));
+}
+
+TEST_F(ProbesTest, DeclareNodeAndForceSeriesWhereTheyExist) {
+  addNodes(4);
+  addLaws({"hc", "linear"});
+  start();
+  EXPECT_EQ(seriesNames(), (Names{"penetration_depth",
+                                  "passed_through",
+                                  "inverted_triangles",
+                                  "stand_off",
+                                  "tool_position",
+                                  "tool_quaternion",
+                                  "contact_count",
+                                  "infeasible_count",
+                                  "candidate_count",
+                                  "capped_count",
+                                  "reaction_force",
+                                  "force",
+                                  "force_elastic",
+                                  "force_viscous",
+                                  "adhesion_clamped",
+                                  "deformation_max",
+                                  "deformation_mean",
+                                  "deformation_rate_max",
+                                  "deformation_rate_min",
+                                  "deformation_rate_mean",
+                                  "colliding_triangles",
+                                  "tool_force",
+                                  "kinetic_energy",
+                                  "momentum",
+                                  "volume",
+                                  "timing/step_time_us",
+                                  "timing/collision_time_us"}));
+  EXPECT_EQ(layout_.find("force")->axes, (Names{"law", "xyz"}));
+  EXPECT_EQ(layout_.find("tool_force")->axes, (Names{"law", "tool", "xyz"}));
+  EXPECT_EQ(layout_.find("deformation_max")->axes, (Names{"law"}));
+  EXPECT_EQ(scalar("saturated_steps").name, "absent");
+  EXPECT_EQ(layout_.axis("law").labels, (Names{"hc", "linear"}));
+  EXPECT_EQ(layout_.find("passed_through")->type, ValueType::count);
+}
+
+TEST_F(ProbesTest, MeasureNoToolWithoutTools) {
+  scene_.tools.clear();
+  state_.tools.clear();
+  start();
+  EXPECT_EQ(seriesNames(), (Names{"kinetic_energy", "momentum", "volume", "timing/step_time_us",
+                                  "timing/collision_time_us"}));
+  step();
+}
+
+TEST_F(ProbesTest, ForcesWithoutToolsGoToNone) {
+  scene_.tools.clear();
+  state_.tools.clear();
+  addLaws({"hc"});
+  start();
+  EXPECT_EQ(layout_.find("tool_force"), nullptr);
+  EXPECT_NE(layout_.find("force"), nullptr);
+  step();
+  EXPECT_EQ(value("force"), 0);
+}
+
+TEST_F(ProbesTest, FillEveryColumn) {
+  addNodes(4);
+  limitForce(8);
+  addLaws({"hc"});
+  start();
+  step();
+  for (const double column : row_) EXPECT_NE(column, 12345.0);
+}
+
+TEST_F(ProbesTest, SummarizeNaNBeforeTheFirstStep) {
+  addNodes(4);
+  limitForce(8);
+  addLaws({"hc"});
+  start();
+  Summary summary;
+  for (const auto& probe : probes_) probe->summarize(summary);
+  for (const SummaryValue& scalar : summary) {
+    if (scalar.name == "tool_samples") continue;  // known from the start
+    ASSERT_TRUE(std::holds_alternative<double>(scalar.value)) << scalar.name;
+    EXPECT_TRUE(std::isnan(std::get<double>(scalar.value))) << scalar.name;
+  }
+}
+
+// The tissue box's top is at y = 0.05, its corners far from the blade.
+TEST_F(ProbesTest, PenetrationKeepsMaximumAndLastValue) {
+  start();
+  for (const double depth : {-0.1, 0.003, 0.001}) {
+    state_.tools[0].pose = test::at(0, 0.051 - depth, 0);
+    step();
+  }
+  EXPECT_NEAR(value("penetration_depth"), 0.001, 1e-12);
+  EXPECT_NEAR(real("max_penetration_depth_m"), 0.003, 1e-12);
+  EXPECT_NEAR(real("final_penetration_depth_m"), 0.001, 1e-12);
+  EXPECT_EQ(count("passed_through_samples"), 0);
+  EXPECT_EQ(count("max_inverted_triangles"), 0);
+}
+
+TEST_F(ProbesTest, OneUnknownDepthMakesTheMaximumUnknown) {
+  start();
+  step();
+  state_.positions_m[3].x() = kNaN;
+  step();
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
+  step();
+  EXPECT_TRUE(std::isnan(real("max_penetration_depth_m")));
+  EXPECT_EQ(real("final_penetration_depth_m"), 0);
+}
+
+TEST_F(ProbesTest, ToolPose) {
+  start();
+  state_.tools[0].pose = {Vec3(1, 2, 3), Quat(0.5, -0.5, 0.5, -0.5)};
+  step();
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_EQ(value("tool_position", i), 1.0 + static_cast<double>(i));
+  const double quaternion[] = {-0.5, 0.5, -0.5, 0.5};  // x, y, z, w
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_EQ(value("tool_quaternion", i), quaternion[i]);
+}
+
+TEST_F(ProbesTest, ContactCountsAndFirstContact) {
+  addNodes(4);
+  start();
+  for (const int contacts : {0, 0, 3, 5, 1}) {
+    state_.contact_count = contacts;
+    state_.candidate_count = contacts + 2;
+    state_.infeasible_count = 2;
+    state_.capped_count = contacts / 2;
+    state_.reaction_on_tool_N = Vec3(0, contacts, -1);
+    step();
+  }
+  EXPECT_EQ(value("contact_count"), 1);
+  EXPECT_EQ(value("candidate_count"), 3);
+  EXPECT_EQ(value("infeasible_count"), 2);
+  EXPECT_EQ(value("capped_count"), 0);
+  EXPECT_EQ(value("reaction_force", 1), 1);
+  EXPECT_EQ(value("reaction_force", 2), -1);
+  EXPECT_DOUBLE_EQ(real("first_contact_time_s"), 0.002);
+  EXPECT_EQ(count("max_contact_count"), 5);
+  EXPECT_EQ(count("contacts_total"), 9);
+}
+
+// 2 nodes over 4 ms. Node 0: free, feasible, capped, infeasible, feasible: 3 switches. Node 1 never acts. 3 /
+// (2 x 4 ms).
+TEST_F(ProbesTest, NodeSwitchRateCountsActingAgainstNot) {
+  addNodes(2);
+  start();
+  const NodeState first[] = {NodeState::free, NodeState::feasible, NodeState::capped, NodeState::infeasible,
+                             NodeState::feasible};
+  for (const NodeState node : first) {
+    state_.node_states = {node, node == NodeState::capped ? NodeState::infeasible : NodeState::free};
+    step();
+  }
+  EXPECT_DOUBLE_EQ(real("node_switch_rate_hz"), 375.0);
+}
+
+// Force magnitudes 1, 2, 1, 2, 1, 2: second differences are all 2, the mean square is 2.5.
+TEST_F(ProbesTest, ForceOfEachLaw) {
+  addLaws({"hc", "linear"});
+  start();
+  for (int i = 0; i < 6; ++i) {
+    state_.forces[0] = {Vec3(0, i % 2 == 0 ? 1.0 : -2.0, 0), 7.0, -0.5, 3};
+    state_.forces[1] = {Vec3(0, 0, 4.0), 1.0, 0.0, 0};
+    step();
+  }
+  EXPECT_EQ(value("force", 1), -2);
+  EXPECT_EQ(value("force", 5), 4);
+  EXPECT_EQ(value("force_elastic", 0), 7);
+  EXPECT_EQ(value("force_viscous", 0), -0.5);
+  EXPECT_EQ(value("adhesion_clamped", 0), 3);
+  EXPECT_EQ(real("max_force_N"), 2);
+  EXPECT_EQ(real("max_force_hc_N"), 2);
+  EXPECT_EQ(real("max_force_linear_N"), 4);
+  EXPECT_DOUBLE_EQ(real("force_roughness"), 2 / std::sqrt(2.5));
+  EXPECT_DOUBLE_EQ(real("force_roughness_hc"), 2 / std::sqrt(2.5));
+  EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
+  EXPECT_EQ(real("roughness_same_triangles_hc"), 0) << "no triangle is there";
+}
+
+// Components whose magnitude is beyond what a double holds, and terms that are no number.
+TEST_F(ProbesTest, TheFirstStepWithAForceThatIsNotFiniteIsNamedByLaw) {
+  addLaws({"hc", "linear", "kv"});
+  start();
+  for (int i = 0; i < 5; ++i) {
+    state_.forces[0].force_on_tool_N.y() = i < 3 ? 1e100 : 1e200;
+    state_.forces[1].viscous_N = i == 1 ? kNaN : 0;
+    step();
+  }
+  EXPECT_EQ(count("force_non_finite_at_step_hc"), 3);
+  EXPECT_EQ(count("force_non_finite_at_step_linear"), 1) << "the first, though later ones are finite";
+  EXPECT_EQ(scalar("force_non_finite_at_step_kv").name, "absent");
+  EXPECT_EQ(real("max_force_hc_N"), std::numeric_limits<double>::infinity());
+}
+
+TEST_F(ProbesTest, DeformationStatisticsOfEachLaw) {
+  addLaws({"hc", "linear"});
+  start();
+  state_.colliding_triangles.resize(17);
+  state_.triangle_forces_N.resize(34);
+  state_.forces[1] = {.deformation_max_m = 0.5,
+                      .deformation_mean_m = 0.25,
+                      .rate_max_m_s = 3,
+                      .rate_min_m_s = -4,
+                      .rate_mean_m_s = -1};
+  step();
+  EXPECT_EQ(value("colliding_triangles"), 17);
+  EXPECT_EQ(value("deformation_max", 0), 0);
+  EXPECT_EQ(value("deformation_max", 1), 0.5);
+  EXPECT_EQ(value("deformation_mean", 1), 0.25);
+  EXPECT_EQ(value("deformation_rate_max", 1), 3);
+  EXPECT_EQ(value("deformation_rate_min", 1), -4);
+  EXPECT_EQ(value("deformation_rate_mean", 1), -1);
+}
+
+// Two tools, the second with a limit of 8 N: 8 N is within it, a little more is not, and neither is NaN. The
+// first has no limit.
+TEST_F(ProbesTest, SaturationIsAFlagAgainstTheDevicesLimitAndLeavesTheForce) {
+  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}, {0.04, 0.002, 0.015}});
+  scene_.tools[0].name = "free";
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0), test::at(0, 0.2, 0)});
+  limitForce(8);
+  scenario_.tools[0].name = scene_.tools[1].name = "held";
+  addLaws({"hc", "linear"});
+  start();
+  EXPECT_EQ(layout_.find("saturated")->type, ValueType::flag);
+  EXPECT_EQ(layout_.find("saturated")->axes, (Names{"law", "tool"}));
+  const double forces_N[] = {8, 8.0000001, 100, 0, kNaN};
+  const double expected[] = {0, 1, 1, 0, 1};
+  for (int i = 0; i < 5; ++i) {
+    state_.tool_forces_N = {Vec3(0, 1000, 0), Vec3(0, 0, -forces_N[i]), Vec3::Zero(), Vec3(0, 7, 0)};
+    step();
+    EXPECT_EQ(value("saturated", 0), 0) << "no device";
+    EXPECT_EQ(value("saturated", 1), expected[i]) << forces_N[i];
+    EXPECT_EQ(value("saturated", 3), 0) << "the second law stays within";
+    EXPECT_EQ(value("tool_force", 1), 1000);
+    EXPECT_TRUE(value("tool_force", 5) == -forces_N[i] || i == 4) << "unclamped";
+    EXPECT_EQ(value("tool_force", 10), 7);
+  }
+  EXPECT_EQ(count("saturated_steps"), 3);
+  EXPECT_EQ(count("saturated_steps_hc"), 3);
+  EXPECT_EQ(count("saturated_steps_linear"), 0);
+}
+
+// Box 0.1 m on edge, 8 vertices of 1 kg moving with (1, -2, 2) m/s: 9 / 2 J each.
+TEST_F(ProbesTest, EnergyMomentumAndSignedVolume) {
+  start();
+  state_.velocities_m_s.assign(8, Vec3(1, -2, 2));
+  state_.masses_kg[0] = 3;
+  step();
+  EXPECT_DOUBLE_EQ(value("kinetic_energy"), 45);
+  EXPECT_DOUBLE_EQ(value("momentum", 0), 10);
+  EXPECT_DOUBLE_EQ(value("momentum", 1), -20);
+  EXPECT_DOUBLE_EQ(value("momentum", 2), 20);
+  EXPECT_NEAR(value("volume"), 1e-3, 1e-15);
+  for (Vec3& vertex : state_.positions_m) vertex.z() *= -2;
+  step();
+  EXPECT_NEAR(value("volume"), -2e-3, 1e-15);
+}
+
+TEST_F(ProbesTest, TimingLeavesTheInitialStateOut) {
+  start();
+  state_.timing = {kNaN, kNaN};
+  step();
+  EXPECT_TRUE(std::isnan(value("timing/step_time_us")));
+  for (int i = 100; i >= 1; --i) {
+    state_.timing = {static_cast<double>(i), 0.25 * i};
+    step();
+  }
+  EXPECT_DOUBLE_EQ(real("timing/mean_step_us"), 50.5);
+  EXPECT_EQ(real("timing/p50_step_us"), 50);
+  EXPECT_EQ(real("timing/p99_step_us"), 99);
+  EXPECT_EQ(real("timing/max_step_us"), 100);
+  EXPECT_DOUBLE_EQ(real("timing/mean_collision_us"), 50.5 / 4);
+  EXPECT_DOUBLE_EQ(real("timing/collision_share"), 0.25);
+  EXPECT_DOUBLE_EQ(real("timing/real_time_factor"), 1000 / 50.5);
+}
+
+TEST_F(ProbesTest, StepsAndHashOfTheLastState) {
+  start();
+  step();
+  step();
+  state_.velocities_m_s[7] = Vec3(0, 0, 1e-300);
+  step();
+  EXPECT_EQ(count("steps"), 2);
+  EXPECT_EQ(std::get<std::string>(scalar("final_state_hash").value),
+            stateHash(state_.positions_m, state_.velocities_m_s));
+}
+
+TEST_F(ProbesTest, ClampsOfBothKindsAreOpenInTheirOwnUnits) {
+  scene_.tools.push_back(scene_.tools[0]);
+  scene_.tools[0].name = "left", scene_.tools[1].name = "right";
+  scene_.clamps = {{.name = "gripper", .left_tool = 0, .right_tool = 1},
+                   {.name = "forceps", .left_tool = 1, .right_tool = 0, .hinged = true}};
+  state_.tools.resize(2);
+  state_.clamps = {{.opening = 0.02}, {.opening = 30}};
+  addLaws({"hc", "soft"});
+  start();
+  state_.tool_reactions_N = {Vec3(1, 0, 0), Vec3(-4, 0, 0)};
+  state_.tool_forces_N[2] = Vec3(0, 3, 0);  // of the second law, on the left
+  state_.tool_forces_N[3] = Vec3(0, 0, 4);
+  step();
+  EXPECT_EQ(value("jaw_opening", 0), 0.02);
+  EXPECT_TRUE(std::isnan(value("jaw_opening", 1)));
+  EXPECT_TRUE(std::isnan(value("jaw_angle", 0)));
+  EXPECT_EQ(value("jaw_angle", 1), 30);
+  EXPECT_EQ(value("clamp_reaction", 0), -3);
+  EXPECT_EQ(value("clamp_force", 3 * 2 + 1), 3) << "second law, first clamp, y";
+  EXPECT_EQ(value("clamp_force", 3 * 3 + 2), 4) << "second law, second clamp, z";
+  EXPECT_EQ(real("gripper_max_resultant_soft_N"), 5);
+  EXPECT_EQ(real("gripper_left_max_force_soft_N"), 3);
+  EXPECT_EQ(real("forceps_left_max_force_soft_N"), 4);
+  EXPECT_EQ(real("gripper_max_resultant_hc_N"), 0);
+  EXPECT_EQ(real("gripper_final_reaction_N"), 3);
+  state_.tool_reactions_N.clear();
+  step();
+  EXPECT_TRUE(std::isnan(value("clamp_reaction", 0)));
+  EXPECT_TRUE(std::isnan(value("tool_reaction", 0)));
+  EXPECT_EQ(scalar("gripper_final_reaction_N").name, "absent");
+}
+
+}  // namespace
+}  // namespace fissure::probes_test

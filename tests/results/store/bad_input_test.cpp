@@ -1,0 +1,89 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+
+#include "base/error.h"
+#include "sample_run.h"
+#include "store/result_file.h"
+
+namespace fissure::bad_input_test {
+
+namespace {
+
+// The message of the InputError that reading `path` brings, without the path it starts with.
+std::string complaintAbout(const std::filesystem::path& path) {
+  try {
+    readResultInfo(path);
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    const std::string start = path.string() + ": ";
+    EXPECT_EQ(message.substr(0, start.size()), start);
+    EXPECT_EQ(message.find('\n'), std::string::npos) << "one line: " << message;
+    return message.substr(std::min(start.size(), message.size()));
+  }
+  return "nothing";
+}
+
+void expectStart(const std::string& message, const std::string& start) {
+  EXPECT_EQ(message.substr(0, start.size()), start) << message;
+}
+
+std::filesystem::path writeResult(const TemporaryFolder& folder) {
+  const SampleRun run = makeSampleRun(50, true);
+  const auto part = folder / "default.part";
+  writeSamplePart(part, run, "default");
+  const auto path = folder / "sample.h5";
+  assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines.at(1), part, {"ok", ""}}});
+  return path;
+}
+
+// Changes a file as somebody else's program would.
+void withH5py(const std::filesystem::path& path, const std::string& mode, const std::string& statement) {
+  const std::string program =
+      "import h5py; f = h5py.File('" + path.string() + "', '" + mode + "'); " + statement;
+  ASSERT_EQ(std::system(("/usr/bin/python3 -B -c \"" + program + "\"").c_str()), 0);
+}
+
+TEST(BadInput, MissingFileAndFolder) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(complaintAbout(folder / "none.h5"), "no such file");
+  expectStart(complaintAbout(folder.path()), "not a file");
+}
+
+TEST(BadInput, NoHdf5File) {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "notes.h5") << "not a result at all\n";
+  expectStart(complaintAbout(folder / "notes.h5"), "not an HDF5 file");
+  std::ofstream(folder / "empty.h5").flush();
+  expectStart(complaintAbout(folder / "empty.h5"), "not an HDF5 file");
+}
+
+TEST(BadInput, OtherHdf5File) {
+  const TemporaryFolder folder;
+  const auto path = folder / "other.h5";
+  withH5py(path, "w", "f['time'] = [1.0, 2.0]");
+  expectStart(complaintAbout(path), "an HDF5 file, but no fissure result");
+}
+
+TEST(BadInput, NewerFormatVersion) {
+  const TemporaryFolder folder;
+  const auto path = writeResult(folder);
+  EXPECT_EQ(complaintAbout(path), "nothing");
+  withH5py(path, "a", "f.attrs.modify('format_version', 2)");
+  EXPECT_EQ(complaintAbout(path), "format_version 2, expected at most 1: written by a newer fissure");
+}
+
+// Cut anywhere, a result is refused, never half read.
+TEST(BadInput, TruncatedAnywhere) {
+  const TemporaryFolder folder;
+  const auto path = writeResult(folder);
+  const auto whole = std::filesystem::file_size(path);
+  for (auto size = whole - 1; size > whole / 50; size -= whole / 50) {
+    std::filesystem::resize_file(path, size);
+    expectStart(complaintAbout(path), "a damaged or truncated HDF5 file");
+  }
+}
+
+}  // namespace
+}  // namespace fissure::bad_input_test

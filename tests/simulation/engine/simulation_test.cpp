@@ -1,0 +1,451 @@
+#include "engine/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "base/error.h"
+#include "contact/grid_nodes.h"
+#include "mesh/primitives.h"
+#include "scenario/catalog.h"
+#include "scene/place.h"
+
+namespace fissure::simulation_test {
+
+namespace {
+
+Scenario press() {
+  Scenario scenario;
+  scenario.ground = GroundSettings{};
+  BodySettings body;
+  body.name = "sphere";
+  body.shape = SphereShape{};
+  body.position_m = Vec3(0, 0.03, 0);
+  body.material.linear_stiffness = 0.5;
+  body.solver.damping = 0.01;
+  body.solver.pose_matching = 0.02;
+  body.solver.dynamic_friction = 0.5;
+  body.solver.position_iterations = 10;
+  scenario.bodies = {body};
+  ToolSettings tool;
+  tool.name = "spatula";
+  scenario.tools = {tool};
+  scenario.force = {{.name = "hc", .model = "hunt_crossley"}};
+  return scenario;
+}
+
+Scene sceneOf(const Scenario& scenario, bool with_nodes) {
+  Scene scene;
+  for (const BodySettings& body : scenario.bodies)
+    scene.bodies.push_back({.name = body.name,
+                            .rest = placeBody(body),
+                            .first_vertex = scene.vertexCount(),
+                            .first_face = scene.faceCount()});
+  for (const ToolSettings& tool : scenario.tools) {
+    scene.tools.push_back({.name = tool.name,
+                           .surface = makeSurface(tool.shape),
+                           .box_size_m = std::get<BoxShape>(tool.shape).size_m});
+    if (with_nodes)
+      scene.tools.back().nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution);
+  }
+  return scene;
+}
+
+Pose at(double y) {
+  return {.position_m = Vec3(0, y, 0), .orientation = Quat::Identity()};
+}
+
+/// The spatula's middle goes from y = 0.0615 down by 0.2 mm a step.
+class Press {
+ public:
+  explicit Press(const std::string& pipeline, const std::string& settings = "tuned")
+      : scenario_(press()),
+        entry_{.name = pipeline, .pipeline = pipeline, .precision = "f64", .settings = settings},
+        scene_(sceneOf(scenario_, entry_.usesNodes())),
+        simulation_(makeSimulation(scenario_, entry_, scene_, {at(0.0615)})) {}
+  const State& step() {
+    simulation_->step({at(0.0615 - 0.0002 * ++steps_)});
+    return simulation_->state();
+  }
+  const State& run(int steps) {
+    for (int i = 0; i < steps; ++i) step();
+    return simulation_->state();
+  }
+  Simulation& simulation() { return *simulation_; }
+
+ private:
+  Scenario scenario_;
+  PipelineSettings entry_;
+  Scene scene_;
+  std::unique_ptr<Simulation> simulation_;
+  int steps_ = 0;
+};
+
+using Names = std::vector<std::string>;
+
+Names namesOf(const std::vector<StageTime>& stages) {
+  Names names;
+  for (const StageTime& stage : stages) names.push_back(stage.name);
+  return names;
+}
+
+TEST(Simulation, SaysHowLongItsStagesTookAndTheyFitIntoTheSteps) {
+  for (const std::string pipeline : {"default", "fukuhara"}) {
+    Press press(pipeline);
+    press.run(1);
+    const std::vector<StageTime> before = press.simulation().stageTimes();
+    const auto start = std::chrono::steady_clock::now();
+    press.run(20);
+    const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const std::vector<StageTime> after = press.simulation().stageTimes();
+    ASSERT_EQ(namesOf(after), namesOf(before)) << pipeline;
+    double sum_s = 0;
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      EXPECT_GT(after[i].total_s, before[i].total_s) << pipeline << ' ' << after[i].name;
+      sum_s += after[i].total_s - before[i].total_s;
+    }
+    EXPECT_LE(sum_s, wall_s) << pipeline << ": no time is booked twice";
+  }
+}
+
+TEST(Simulation, StagesAreThoseOfThePipeline) {
+  EXPECT_EQ(namesOf(Press("default").simulation().stageTimes()),
+            (Names{"predict", "detection", "solve", "force_laws"}));
+  EXPECT_EQ(namesOf(Press("fukuhara").simulation().stageTimes()),
+            (Names{"predict", "detection", "solve", "rays", "association", "vertex_contacts", "displacement",
+                   "report", "transfer", "force_laws"}));
+}
+
+TEST(Simulation, BuildsExactlyThePipelinesOfTheCatalog) {
+  std::vector<std::string> offered;
+  for (const CatalogEntry& entry : catalog().pipelines) offered.emplace_back(entry.name);
+  EXPECT_EQ(enginePipelines(), offered);
+  const PipelineSettings unknown{.name = "x", .pipeline = "no such"};
+  const Scenario scenario = press();
+  EXPECT_THROW(makeSimulation(scenario, unknown, sceneOf(scenario, false), {at(0)}), std::invalid_argument);
+}
+
+TEST(Simulation, EvaluatesEveryLawOfTheCatalog) {
+  Scenario scenario = press();
+  const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+  for (const CatalogEntry& law : catalog().force_laws) {
+    for (const CatalogEntry& kind : catalog().deformations) {
+      ForceSettings settings{.name = "law", .model = std::string(law.name)};
+      settings.deformation = kind.name;
+      scenario.force = {settings};
+      auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+      for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+      EXPECT_GT(simulation->state().forces[0].elastic_N, 0.1) << law.name << ", " << kind.name;
+    }
+  }
+  scenario.force = {{.name = "law", .model = "no such"}};
+  EXPECT_THROW(makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)}), std::invalid_argument);
+}
+
+// Two blades side by side, the second one 2 mm lower.
+TEST(Simulation, TwoToolsFeelTheirPartsOfTheForce) {
+  for (const std::string pipeline : {"default", "fukuhara"}) {
+    Scenario scenario = press();
+    std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
+    scenario.tools[0].shape = BoxShape{Vec3(0.015, 0.002, 0.03)};
+    scenario.tools.push_back(scenario.tools[0]);
+    scenario.tools[1].name = "second";
+    scenario.force.push_back({.name = "linear", .model = "linear_elastic"});
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline, .settings = "tuned"};
+    Scene scene = sceneOf(scenario, entry.usesNodes());
+    scene.tools[1].first_node = scene.tools[0].nodes.size();
+    const auto poses = [](int step) {
+      const double y = 0.0615 - 0.0002 * step;
+      return std::vector<Pose>{{.position_m = Vec3(-0.01, y, 0)}, {.position_m = Vec3(0.01, y - 0.002, 0)}};
+    };
+    auto simulation = makeSimulation(scenario, entry, scene, poses(0));
+    for (int i = 1; i <= 60; ++i) simulation->step(poses(i));
+    const State& state = simulation->state();
+    ASSERT_EQ(state.tool_forces_N.size(), 4u);
+    for (std::size_t law = 0; law < 2; ++law) {
+      const Vec3& first_N = state.tool_forces_N[2 * law];
+      const Vec3& second_N = state.tool_forces_N[2 * law + 1];
+      EXPECT_GT(first_N.y(), 0.01) << pipeline;
+      EXPECT_GT(second_N.y(), 0.01) << pipeline;
+      // Bullet's own contacts do not say how far they displace and share alike.
+      EXPECT_TRUE(second_N.y() > first_N.y() || pipeline == "default");
+      EXPECT_LT((first_N + second_N - state.forces[law].force_on_tool_N).norm(), 1e-12) << pipeline;
+    }
+  }
+}
+
+TEST(Simulation, RunsBulletInDoublePrecision) {
+  EXPECT_EQ(engineVersion(), "Bullet 3.24, double precision");
+}
+
+// The null test of the harness: a detector of ours that only delegates changes no bit of any vertex.
+TEST(Simulation, ADelegatingDetectorEqualsTheDefaultBitForBit) {
+  Press reference("default"), delegating("null");
+  int contacts = 0;
+  for (int i = 0; i < 150; ++i) {
+    const State& expected = reference.step();
+    const State& state = delegating.step();
+    contacts += expected.contact_count;
+    ASSERT_EQ(state.positions_m, expected.positions_m) << "step " << i;
+    ASSERT_EQ(state.velocities_m_s, expected.velocities_m_s);
+    ASSERT_EQ(state.contact_count, expected.contact_count);
+    ASSERT_EQ(state.forces[0].force_on_tool_N, expected.forces[0].force_on_tool_N);
+  }
+  EXPECT_GT(contacts, 0) << "no contact, no test";
+}
+
+TEST(Simulation, TheSameRunTwiceIsTheSameBitForBit) {
+  for (const CatalogEntry& pipeline : catalog().pipelines) {
+    const State first = Press(std::string(pipeline.name)).run(100);
+    const State second = Press(std::string(pipeline.name)).run(100);
+    for (std::size_t i = 0; i < first.positions_m.size(); ++i) {
+      ASSERT_EQ(first.positions_m[i], second.positions_m[i]) << pipeline.name;
+    }
+  }
+}
+
+TEST(Simulation, ForcesOfTrianglesAreKeptForLawsOnly) {
+  for (const bool laws : {false, true}) {
+    Scenario scenario = press();
+    if (!laws) scenario.force.clear();
+    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+    for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+    const State& state = simulation->state();
+    EXPECT_GT(state.contact_count, 0);
+    EXPECT_EQ(state.colliding_triangles.capacity() > 0, laws);
+    EXPECT_EQ(state.triangle_forces_N.capacity() > 0, laws);
+  }
+}
+
+TEST(Simulation, InputsOfForceLawsAreKeptOnRequestOnly) {
+  for (const bool asked : {false, true}) {
+    Scenario scenario = press();
+    scenario.record.force_inputs = asked;
+    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
+    for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+    const State& state = simulation->state();
+    ASSERT_FALSE(state.colliding_triangles.empty());
+    EXPECT_EQ(state.law_inputs.size(),
+              asked ? state.colliding_triangles.size() * scenario.force.size() : std::size_t{0});
+    EXPECT_EQ(state.law_inputs.capacity() > 0, asked);
+  }
+}
+
+// The settings must reach Bullet: stock and tuned differ as soon as the tool touches.
+TEST(Simulation, StockAndTunedDiffer) {
+  const State stock = Press("default", "stock").run(60);
+  const State tuned = Press("default", "tuned").run(60);
+  EXPECT_NE(stock.positions_m, tuned.positions_m);
+}
+
+// Without tools all pipelines are the same world: they differ in the tool's contact and in nothing else.
+TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
+  std::vector<Vec3> reference;
+  for (const CatalogEntry& pipeline : catalog().pipelines) {
+    Scenario scenario = press();
+    const PipelineSettings entry{.name = "p", .pipeline = std::string(pipeline.name)};
+    const Scene scene = sceneOf(scenario, entry.usesNodes());
+    auto simulation = makeSimulation(scenario, entry, scene, {at(0.2)});
+    for (int i = 0; i < 100; ++i) simulation->step({at(0.2)});
+    if (reference.empty()) reference = simulation->state().positions_m;
+    EXPECT_EQ(simulation->state().positions_m, reference) << pipeline.name;
+  }
+}
+
+// A box 10 mm thick lies in the sphere from the start, one face exactly in a ring of its vertices. The nodes
+// push it free, at most 5 mm a step at a node, and vertices in the plane of the face are not held against
+// them.
+TEST(Simulation, AToolThatStartsInTissueThrowsNothing) {
+  Scenario scenario = press();
+  scenario.tools[0].shape = BoxShape{Vec3(0.04, 0.01, 0.015)};
+  const Scene scene = sceneOf(scenario, true);
+  std::vector<double> rings;
+  for (const Vec3& vertex : scene.bodies[0].rest.vertices_m) rings.push_back(vertex.y());
+  std::sort(rings.begin(), rings.end());
+  const double ring_m = rings[rings.size() - 2];  // below the top
+  std::vector<std::vector<Vec3>> ends;
+  for (const bool vertex_contacts : {false, true}) {
+    const PipelineSettings entry{
+        .name = "p", .pipeline = "fukuhara", .precision = "f64", .vertex_contacts = vertex_contacts};
+    const Pose pose = at(ring_m - 0.005);
+    auto simulation = makeSimulation(scenario, entry, scene, {pose});
+    std::vector<Vec3> before = simulation->state().positions_m;
+    for (int i = 0; i < 20; ++i) {
+      simulation->step({pose});
+      const std::vector<Vec3>& now = simulation->state().positions_m;
+      for (std::size_t v = 0; v < now.size(); ++v)
+        ASSERT_LE((now[v] - before[v]).norm(), 0.01) << "step " << i << ", vertex " << v;
+      before = now;
+    }
+    ends.push_back(before);
+  }
+  EXPECT_EQ(ends[0], ends[1]) << "until it is free, with its nodes alone";
+}
+
+// The blade comes down onto the sphere: no contact before it is there, then some, and the vertices of its
+// clusters collide.
+TEST(Simulation, ClustersCollideWithTheBlade) {
+  Press press("cluster", "stock");
+  int contacts = 0, pushes = 0;
+  for (int i = 0; i < 40; ++i) {
+    const State& state = press.step();
+    contacts += state.contact_count;
+    const auto colliding = std::count(state.vertex_contact.begin(), state.vertex_contact.end(), 1);
+    EXPECT_EQ(colliding > 0, state.contact_count > 0) << "step " << i;
+    EXPECT_TRUE(std::isnan(state.reaction_on_tool_N.y())) << "Bullet does not say it";
+    if (state.forces[0].elastic_N > 0) {
+      ++pushes;
+      EXPECT_GT(state.forces[0].force_on_tool_N.y(), 0) << "tissue below pushes the blade up";
+    }
+  }
+  EXPECT_GT(contacts, 0);
+  EXPECT_GT(pushes, 0);
+}
+
+// A sphere falls from 5 mm above onto another that stands on the ground: it goes into it unless both are told
+// to collide.
+TEST(Simulation, SoftBodiesMeetAsAsked) {
+  const auto gapAfterFall = [](const std::string& soft_contact) {
+    Scenario scenario = press();
+    scenario.tools.clear();
+    scenario.bodies.push_back(scenario.bodies[0]);
+    scenario.bodies[1].name = "upper";
+    scenario.bodies[1].position_m.y() = 0.095;
+    for (BodySettings& body : scenario.bodies) body.soft_contact = soft_contact;
+    const PipelineSettings entry{.name = "default", .pipeline = "default"};
+    const Scene scene = sceneOf(scenario, false);
+    auto simulation = makeSimulation(scenario, entry, scene, {});
+    for (int i = 0; i < 120; ++i) simulation->step({});
+    Vec3 lower = Vec3::Zero(), upper = Vec3::Zero();
+    const std::vector<Vec3>& positions_m = simulation->state().positions_m;
+    const std::size_t half = positions_m.size() / 2;
+    for (std::size_t i = 0; i < half; ++i) {
+      lower += positions_m[i] / static_cast<double>(half);
+      upper += positions_m[half + i] / static_cast<double>(half);
+    }
+    return upper.y() - lower.y();
+  };
+  EXPECT_LT(gapAfterFall("none"), 0.02) << "nothing holds the upper one: through";
+  EXPECT_GT(gapAfterFall("vertices"), 0.03);
+  EXPECT_GT(gapAfterFall("clusters"), 0.03);
+}
+
+// Free fall for a body without ground or tool: v = g t, and Bullet's semi-implicit Euler y = -g dt^2 n (n +
+// 1) / 2. Exact time step: Bullet's own float step would be off by 5e-8 relative, which this sees.
+TEST(Simulation, FreeFallUsesTheExactTimeStep) {
+  Scenario scenario = press();
+  scenario.ground.reset();
+  scenario.tools.clear();
+  scenario.bodies[0].solver = {.position_iterations = 1};
+  const PipelineSettings entry{.name = "default", .pipeline = "default"};
+  const Scene scene = sceneOf(scenario, false);
+  auto simulation = makeSimulation(scenario, entry, scene, {});
+  const int n = 200;
+  for (int i = 0; i < n; ++i) simulation->step({});
+  const double expected = -9.81 * 1e-6 * n * (n + 1) / 2;
+  for (std::size_t i = 0; i < scene.bodies[0].rest.vertices_m.size(); ++i) {
+    const Vec3 fallen = simulation->state().positions_m[i] - scene.bodies[0].rest.vertices_m[i];
+    ASSERT_NEAR(fallen.y(), expected, 2e-11) << "of " << expected;
+    ASSERT_NEAR(fallen.x(), 0, 1e-12);
+  }
+}
+
+// A body at rest on the ground for a second: it stands on its margin, to a tenth of a millimetre plus sag,
+// and does not sink.
+TEST(Simulation, TheGroundHoldsTheBody) {
+  Scenario scenario = press();
+  scenario.tools.clear();
+  const PipelineSettings entry{.name = "default", .pipeline = "default"};
+  const Scene scene = sceneOf(scenario, false);
+  auto simulation = makeSimulation(scenario, entry, scene, {});
+  for (int i = 0; i < 1000; ++i) simulation->step({});
+  double lowest = 1;
+  for (const Vec3& p : simulation->state().positions_m) lowest = std::min(lowest, p.y());
+  EXPECT_GT(lowest, -0.001);
+  EXPECT_LT(lowest, 0.001);
+}
+
+TEST(Simulation, ToolVelocitiesAreTheMeanOverTheStep) {
+  Press tuned("fukuhara");
+  const ToolState& tool = tuned.run(3).tools[0];
+  EXPECT_NEAR((tool.velocity_m_s - Vec3(0, -0.2, 0)).norm(), 0, 1e-9);
+  EXPECT_EQ(tool.angular_velocity_rad_s, Vec3::Zero());
+  Pose turned = tool.pose;
+  turned.orientation = Quat(Eigen::AngleAxisd(0.01, Vec3::UnitZ()));
+  tuned.simulation().step({turned});
+  EXPECT_NEAR((tool.angular_velocity_rad_s - Vec3(0, 0, 10)).norm(), 0, 1e-9);
+}
+
+// The paper's claim in one line each: on the same press Bullet's vertices pass the thin spatula, the node
+// pairs hold it out.
+TEST(Simulation, TheDefaultLetsTheSpatulaInAndTheFullMethodHolds) {
+  const auto topUnderBlade = [](const State& state) {
+    double top = -1;  // highest vertex below the blade's footprint, one tissue edge around it
+    for (const Vec3& p : state.positions_m) {
+      if (std::abs(p.x()) < 0.01 && std::abs(p.z()) < 0.003) top = std::max(top, p.y());
+    }
+    return top;
+  };
+  const double lower_face = 0.0615 - 0.0002 * 100 - 0.001;
+  EXPECT_GT(topUnderBlade(Press("default", "stock").run(100)), lower_face + 0.005);
+  const double held = topUnderBlade(Press("fukuhara").run(100));
+  EXPECT_GT(held, 0) << "tissue is still there, below the blade";
+  EXPECT_LT(held, lower_face);
+}
+
+// The reference without contact detection: a vertex that the blade reaches stays where it met the blade.
+/// The same blade as a box and as its triangles.
+TEST(Simulation, BulletMeetsTheHullOfTrianglesAsItMeetsABox) {
+  Scenario scenario = press();
+  std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
+  scenario.tools[0].shape = BoxShape{Vec3(0.08, 0.005, 0.08)};
+  const PipelineSettings entry{.name = "default", .pipeline = "default", .settings = "tuned"};
+  const auto pressed = [&](const Scene& scene) {
+    auto simulation = makeSimulation(scenario, entry, scene, {at(0.063)});
+    for (int i = 1; i <= 60; ++i) simulation->step({at(0.063 - 0.0002 * i)});
+    return simulation->state();
+  };
+  Scene scene = sceneOf(scenario, false);
+  const State box = pressed(scene);
+  scene.tools[0].box_size_m.reset();
+  const State hull = pressed(scene);
+  EXPECT_GT(box.contact_count, 10);
+  EXPECT_EQ(hull.contact_count, box.contact_count);
+  for (std::size_t v = 0; v < box.positions_m.size(); ++v)
+    EXPECT_LT((hull.positions_m[v] - box.positions_m[v]).norm(), 1e-4) << v;
+  scene.tools[0].closed = false;
+  EXPECT_THROW(pressed(scene), InputError);
+  scene.tools[0].closed = true;
+  scene.tools[0].surface.vertices_m[0] *= 0.5;
+  EXPECT_THROW(pressed(scene), InputError) << "not convex any more";
+}
+
+TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
+  Press press("prescribed");
+  int top = 0;
+  const State& first = press.step();
+  for (std::size_t v = 0; v < first.positions_m.size(); ++v)
+    if (first.positions_m[v].y() > first.positions_m[top].y()) top = static_cast<int>(v);
+  const State& state = press.run(60);
+  EXPECT_EQ(state.vertex_contact[top], 1);
+  EXPECT_NEAR(state.positions_m[top].y(), state.tools[0].pose.position_m.y() - 0.001 - 0.0005, 1e-12);
+  EXPECT_GT(state.forces[0].elastic_N, 0);
+}
+
+// A blade at rest on held tissue feels the elastic force alone: x' is zero, and nothing is clamped. (The
+// engine's own velocities would say tens of m/s.)
+TEST(Simulation, AtRestTheForceIsElastic) {
+  Press held("fukuhara");
+  held.run(60);
+  for (int i = 0; i < 300; ++i) held.simulation().step({at(0.0615 - 0.0002 * 60)});
+  const ForceSample& force = held.simulation().state().forces[0];
+  EXPECT_GT(force.elastic_N, 1);
+  EXPECT_LT(std::abs(force.viscous_N), 0.02 * force.elastic_N);
+  EXPECT_EQ(force.adhesion_clamped, 0);
+}
+
+}  // namespace
+}  // namespace fissure::simulation_test

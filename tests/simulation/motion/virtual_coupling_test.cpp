@@ -1,0 +1,75 @@
+#include "motion/virtual_coupling.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fissure::virtual_coupling_test {
+
+namespace {
+
+constexpr CouplingSettings kHeavy{.mass_kg = 0.05, .stiffness_N_m = 500, .damping_N_s_m = 2, .force = {}};
+
+/// Of the tool after 20 ms under 0.5 N, the hand at rest.
+double wayAfterAStep(double step_s) {
+  VirtualCoupling coupling(kHeavy, Vec3::Zero(), step_s);
+  Vec3 at = Vec3::Zero();
+  const int steps = static_cast<int>(std::lround(0.02 / step_s));
+  for (int i = 0; i < steps; ++i) at = coupling.advance(Vec3::Zero(), Vec3(0.5, 0, 0));
+  return at.x();
+}
+
+// Under a constant force F: x = F/k (1 - exp(-s t) (cos(w t) + s/w sin(w t))), s = c/2m, w^2 = k/m - s^2.
+TEST(VirtualCoupling, SwingsAsAnOscillatorDoesToTheFirstOrderOfTheStep) {
+  const double s = kHeavy.damping_N_s_m / (2 * kHeavy.mass_kg);
+  const double w = std::sqrt(kHeavy.stiffness_N_m / kHeavy.mass_kg - s * s);
+  const double t = 0.02;
+  const double exact =
+      0.5 / kHeavy.stiffness_N_m * (1 - std::exp(-s * t) * (std::cos(w * t) + s / w * std::sin(w * t)));
+  double before = 0;
+  for (const double step_s : {1e-4, 5e-5, 2.5e-5}) {
+    const double error = std::abs(wayAfterAStep(step_s) - exact);
+    EXPECT_LT(error, 0.3 * step_s / 1e-4 * exact);
+    if (before > 0) {
+      EXPECT_NEAR(before / error, 2, 0.1);
+    }
+    before = error;
+  }
+}
+
+TEST(VirtualCoupling, AtRestTheSpringHoldsTheForce) {
+  VirtualCoupling coupling(kHeavy, Vec3(0.1, 0, 0), 0.001);
+  Vec3 at;
+  for (int i = 0; i < 5000; ++i) at = coupling.advance(Vec3(0.1, 0, 0), Vec3(0, 0.5, 0));
+  EXPECT_LT((at - Vec3(0.1, 0.001, 0)).norm(), 1e-12);
+  EXPECT_LT((coupling.force_on_tool_N() - Vec3(0, -0.5, 0)).norm(), 1e-9);
+}
+
+// Spring and damper hold the tool to the hand, not to a place: at one speed nothing pulls.
+TEST(VirtualCoupling, BehindAHandOfConstantSpeedNothingIsLeftOfTheLag) {
+  VirtualCoupling coupling(kHeavy, Vec3::Zero(), 0.001);
+  Vec3 at, hand;
+  for (int i = 1; i <= 5000; ++i) {
+    hand = Vec3(0.0001 * i, 0, 0);
+    at = coupling.advance(hand, Vec3::Zero());
+  }
+  EXPECT_LT((at - hand).norm(), 1e-12);
+  EXPECT_LT(coupling.force_on_tool_N().norm(), 1e-9);
+}
+
+TEST(VirtualCoupling, AStiffOneIsStableAndFollowsTheHand) {
+  VirtualCoupling coupling({.mass_kg = 0.01, .stiffness_N_m = 1e9, .damping_N_s_m = 0, .force = {}},
+                           Vec3::Zero(), 0.001);
+  for (int i = 1; i <= 1000; ++i) {
+    const Vec3 hand(std::sin(0.01 * i), 0, 0);
+    ASSERT_LT((coupling.advance(hand, Vec3(0, 5, 0)) - hand).norm(), 1e-6) << i;
+    EXPECT_EQ(coupling.target_m(), hand);
+  }
+  VirtualCoupling rigid({.mass_kg = 0.01, .stiffness_N_m = 1e300, .damping_N_s_m = 0, .force = {}},
+                        Vec3::Zero(), 0.001);
+  rigid.advance(Vec3::Zero(), Vec3(0, 5, 0));
+  EXPECT_EQ(rigid.force_on_tool_N(), Vec3(0, -5, 0));
+}
+
+}  // namespace
+}  // namespace fissure::virtual_coupling_test
