@@ -19,10 +19,10 @@ std::vector<ForceSettings> manyLaws() {
   for (int n = 0; n < 20; ++n)
     for (int lambda = 0; lambda < 25; ++lambda)
       for (int k = 0; k < 20; ++k)
-        laws.push_back({.model = "hunt_crossley",
-                        .k = 20.0 * std::pow(1.3, k),
-                        .lambda = 40.0 * std::pow(1.3, lambda),
-                        .n = 1 + 0.1 * n});
+        laws.push_back(
+            {.model = ForceModel::hunt_crossley,
+             .coefficients = {
+                 .k = 20.0 * std::pow(1.3, k), .lambda = 40.0 * std::pow(1.3, lambda), .n = 1 + 0.1 * n}});
   return laws;
 }
 
@@ -43,8 +43,8 @@ std::vector<LawInput> oneStep() {
 /// The plain evaluation: each law triangle by triangle.
 double plain(benchmark::State& state) {
   const std::vector<LawInput> inputs = oneStep();
-  std::vector<std::unique_ptr<ForceLaw>> laws;
-  for (const ForceSettings& law : manyLaws()) laws.push_back(makeHuntCrossley(law.k, law.lambda, law.n));
+  std::vector<ForceLaw> laws;
+  for (const ForceSettings& law : manyLaws()) laws.emplace_back(law.model, law.coefficients);
   std::vector<double> forces_N(laws.size());
   Batch batch;
   for (int i = 0; i < kLawCalls; ++i) {
@@ -52,7 +52,7 @@ double plain(benchmark::State& state) {
       for (std::size_t law = 0; law < laws.size(); ++law) {
         Vec3 sum_N = Vec3::Zero();
         for (const LawInput& input : inputs) {
-          const LawForce force = laws[law]->at(input.deformation_m, input.rate_m_s);
+          const LawForce force = laws[law].at(input.deformation_m, input.rate_m_s);
           sum_N += (force.elastic_N + force.viscous_N) * input.direction;
         }
         forces_N[law] = sum_N.norm();
@@ -66,7 +66,7 @@ double plain(benchmark::State& state) {
 
 double family(benchmark::State& state) {
   const std::vector<LawInput> inputs = oneStep();
-  LawFamily laws(manyLaws(), {{.model = "hunt_crossley"}});
+  LawFamily laws(manyLaws(), {{.model = ForceModel::hunt_crossley}});
   laws.evaluate(inputs);  // its arrays have their size from here on
   Batch batch;
   for (int i = 0; i < kLawCalls; ++i) batch.time([&] { laws.evaluate(inputs); });

@@ -10,26 +10,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string formulaOf(FitLaw law) {
-  switch (law) {
-    case FitLaw::kelvin_voigt:
-      return "F = F0 + k d + lambda d'";
-    case FitLaw::linear_elastic:
-      return "F = F0 + k d";
-    case FitLaw::hunt_crossley:
-      break;
-  }
-  return "F = F0 + k d^n + lambda d^n d'";
+std::string formulaOf(ForceModel law) {
+  return std::string(entryOf(law).fit_formula);
 }
 
 std::string plural(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
-std::vector<FitParameter> parametersOf(FitLaw law) {
+std::vector<FitParameter> parametersOf(ForceModel law) {
   std::vector<FitParameter> parameters;
-  for (std::size_t i = 0; i < kFitParameters; ++i)
-    if (hasParameter(law, static_cast<FitParameter>(i))) parameters.push_back(static_cast<FitParameter>(i));
+  for (const FitParameter parameter : kFitParameters)
+    if (hasParameter(law, parameter)) parameters.push_back(parameter);
   return parameters;
 }
 
@@ -43,12 +35,12 @@ std::vector<std::string> notesOf(const CurveFit& fit) {
   return notes;
 }
 
-std::string blockText(FitLaw law, const CurveFit& fit) {
+std::string blockText(ForceModel law, const CurveFit& fit) {
   const LawFit& of = fit.fit;
   std::vector<TextRow> rows = {{"", "value", "", "std error", "95 % interval", ""}};
   for (const FitParameter parameter : parametersOf(law)) {
     const FittedValue& value = of.of(parameter);
-    rows.push_back({"  " + nameOf(parameter), fourDigits(value.value), unitOf(law, parameter),
+    rows.push_back({"  " + nameOf(law, parameter), fourDigits(value.value), unitOf(law, parameter),
                     value.free ? fourDigits(value.standard_error) : "-",
                     value.free ? intervalText(value) : "fixed", value.profiled ? "by profile" : ""});
   }
@@ -62,10 +54,11 @@ std::string blockText(FitLaw law, const CurveFit& fit) {
          fourDigits(of.r_squared) + (of.converged ? "" : ", not converged") + "\n";
 }
 
-std::string tableText(FitLaw law, const std::vector<CurveFit>& fits) {
+std::string tableText(ForceModel law, const std::vector<CurveFit>& fits) {
   std::vector<TextRow> rows(1, {"curve", "points"});
   for (const FitParameter parameter : parametersOf(law)) {
-    rows[0].push_back(nameOf(parameter) + (parameter == FitParameter::n ? "" : " " + unitOf(law, parameter)));
+    rows[0].push_back(nameOf(law, parameter) +
+                      (unitOf(law, parameter) == "1" ? "" : " " + unitOf(law, parameter)));
     rows[0].emplace_back("95 %");
   }
   rows[0].insert(rows[0].end(), {"RMS N", "R2"});
@@ -83,7 +76,7 @@ std::string tableText(FitLaw law, const std::vector<CurveFit>& fits) {
   return formulaOf(law) + "\n" + alignedText(rows, 1);
 }
 
-Json valueJson(FitLaw law, FitParameter parameter, const FittedValue& value) {
+Json valueJson(ForceModel law, FitParameter parameter, const FittedValue& value) {
   Json json = {{"value", value.value}, {"unit", unitOf(law, parameter)}, {"free", value.free}};
   if (value.free) {
     json["standard_error"] = value.standard_error;
@@ -95,14 +88,14 @@ Json valueJson(FitLaw law, FitParameter parameter, const FittedValue& value) {
   return json;
 }
 
-Json fittedJson(FitLaw law, const LawFit& fit) {
+Json fittedJson(ForceModel law, const LawFit& fit) {
   Json parameters = Json::object(), correlation = Json::object();
   for (const FitParameter parameter : parametersOf(law)) {
-    parameters[nameOf(parameter)] = valueJson(law, parameter, fit.of(parameter));
+    parameters[nameOf(law, parameter)] = valueJson(law, parameter, fit.of(parameter));
     for (const FitParameter other : parametersOf(law))
       if (parameter < other && fit.of(parameter).free && fit.of(other).free)
-        correlation[nameOf(parameter) + "," + nameOf(other)] =
-            fit.correlation[static_cast<std::size_t>(parameter)][static_cast<std::size_t>(other)];
+        correlation[nameOf(law, parameter) + "," + nameOf(law, other)] =
+            fit.correlation[index(parameter)][index(other)];
   }
   Json json = {{"converged", fit.converged},
                {"rms_N", fit.rms_N},
@@ -134,7 +127,7 @@ Json fileJson(const MeasuredCurve& curve) {
   return curve.file.empty() ? Json() : Json(curve.file);
 }
 
-std::string fitText(FitLaw law, const std::vector<CurveFit>& fits) {
+std::string fitText(ForceModel law, const std::vector<CurveFit>& fits) {
   const bool block = fits.size() == 1 && fits.front().problem.empty();
   std::string text = block ? blockText(law, fits.front()) : tableText(law, fits);
   for (const CurveFit& fit : fits) {
@@ -144,7 +137,7 @@ std::string fitText(FitLaw law, const std::vector<CurveFit>& fits) {
   return text;
 }
 
-Json fitJson(FitLaw law, const std::vector<CurveFit>& fits) {
+Json fitJson(ForceModel law, const std::vector<CurveFit>& fits) {
   Json curves = Json::array();
   for (const CurveFit& fit : fits) {
     Json json = {{"curve", fit.curve.name},
@@ -159,7 +152,7 @@ Json fitJson(FitLaw law, const std::vector<CurveFit>& fits) {
     json["notes"] = notesOf(fit);
     curves.push_back(json);
   }
-  return {{"law", nameOf(law)}, {"curves", curves}};
+  return {{"law", entryOf(law).name}, {"curves", curves}};
 }
 
 }  // namespace fissure

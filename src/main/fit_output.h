@@ -16,7 +16,7 @@ struct CurveFit {
 };
 
 /// For people: one fit as a block, several as a table with a row a curve.
-std::string fitText(FitLaw law, const std::vector<CurveFit>& fits);
+std::string fitText(ForceModel law, const std::vector<CurveFit>& fits);
 
 /// Its path as it was given; null: several.
 nlohmann::ordered_json fileJson(const MeasuredCurve& curve);
@@ -25,6 +25,6 @@ nlohmann::ordered_json fileJson(const MeasuredCurve& curve);
 std::vector<std::string> curveNotes(const MeasuredCurve& curve);
 
 /// For machines.
-nlohmann::ordered_json fitJson(FitLaw law, const std::vector<CurveFit>& fits);
+nlohmann::ordered_json fitJson(ForceModel law, const std::vector<CurveFit>& fits);
 
 }  // namespace fissure

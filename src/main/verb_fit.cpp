@@ -30,34 +30,44 @@ struct FitOptions {
   bool together = false, json = false;
 };
 
-FitLaw lawOf(const std::string& name) {
-  std::vector<std::string> known;
-  for (const FitLaw law : {FitLaw::hunt_crossley, FitLaw::kelvin_voigt, FitLaw::linear_elastic}) {
-    if (name == nameOf(law)) return law;
-    known.push_back(nameOf(law));
-  }
-  throw InputError("--law " + name + ": no such force law" + didYouMean(name, known));
+std::vector<std::string> lawNames() {
+  std::vector<std::string> names;
+  for (const ForceLawEntry& law : forceLaws()) names.emplace_back(law.name);
+  return names;
 }
 
-FitParameter parameterOf(const std::string& option, const std::string& name, FitLaw law) {
+/// "a, b or c".
+std::string inWords(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
+  return text;
+}
+
+ForceModel lawOf(const std::string& name) {
+  const std::optional<ForceModel> law = modelNamed(name);
+  if (!law) throw InputError("--law " + name + ": no such force law" + didYouMean(name, lawNames()));
+  return *law;
+}
+
+FitParameter parameterOf(const std::string& option, const std::string& name, ForceModel law) {
   std::vector<std::string> known;
-  for (std::size_t i = 0; i < kFitParameters; ++i) {
-    const auto parameter = static_cast<FitParameter>(i);
+  for (const FitParameter parameter : kFitParameters) {
     if (!hasParameter(law, parameter)) continue;
-    if (name == nameOf(parameter)) return parameter;
-    known.push_back(nameOf(parameter));
+    if (name == nameOf(law, parameter)) return parameter;
+    known.push_back(nameOf(law, parameter));
   }
-  throw InputError(option + ": " + nameOf(law) + " has no coefficient \"" + name + "\"" +
+  throw InputError(option + ": " + std::string(entryOf(law).name) + " has no coefficient \"" + name + "\"" +
                    didYouMean(name, known));
 }
 
-std::pair<FitParameter, double> parseFixed(const std::string& text, FitLaw law) {
+std::pair<FitParameter, double> parseFixed(const std::string& text, ForceModel law) {
   const std::size_t equals = std::min(text.find('='), text.size());
   const std::optional<double> value = equals < text.size() ? toReal(text.substr(equals + 1)) : std::nullopt;
   if (!value || !std::isfinite(*value))
     throw InputError("--fix " + text + ": expected COEFFICIENT=NUMBER, as in lambda=0");
   const FitParameter parameter = parameterOf("--fix " + text, text.substr(0, equals), law);
-  if ((parameter == FitParameter::k || parameter == FitParameter::n) && *value <= 0)
+  if ((parameter == FitParameter::elastic || parameter == FitParameter::shape) && *value <= 0)
     throw InputError("--fix " + text + ": expected a number above 0");
   return {parameter, *value};
 }
@@ -66,42 +76,43 @@ std::pair<FitParameter, double> parseFixed(const std::string& text, FitLaw law) 
 std::optional<double> fixedOffset_N(const FitOptions& options) {
   std::optional<double> offset_N;
   for (const std::string& text : options.fixed) {
-    const auto [parameter, value] = parseFixed(text, FitLaw::hunt_crossley);
-    if (parameter != FitParameter::F0 || offset_N)
+    const auto [parameter, value] = parseFixed(text, ForceModel::hunt_crossley);
+    if (parameter != FitParameter::offset || offset_N)
       throw InputError("--fix " + text + ": nothing is fitted with --sweep, expected F0 alone, and once");
     offset_N = value;
   }
   return offset_N;
 }
 
-/// All are free but what is fixed; with --free only those named are, and F0 and lambda are 0 unless fixed.
-FitSettings settingsOf(const FitOptions& options, FitLaw law) {
+/// All are free but what is fixed; with --free only those named are, and F0 and the damping are 0 unless
+/// fixed.
+FitSettings settingsOf(const FitOptions& options, ForceModel law) {
   FitSettings settings;
-  for (std::size_t i = 0; i < kFitParameters; ++i)
-    settings.free[i] = options.free.empty() && hasParameter(law, static_cast<FitParameter>(i));
+  for (const FitParameter parameter : kFitParameters)
+    settings.free[index(parameter)] = options.free.empty() && hasParameter(law, parameter);
   for (std::size_t start = 0; !options.free.empty() && start <= options.free.size();) {
     const std::size_t end = std::min(options.free.find(',', start), options.free.size());
     const std::string name = options.free.substr(start, end - start);
-    settings.free[static_cast<std::size_t>(parameterOf("--free " + options.free, name, law))] = true;
+    settings.free[index(parameterOf("--free " + options.free, name, law))] = true;
     start = end + 1;
   }
-  std::array<bool, kFitParameters> fixed{};
+  std::array<bool, kFitParameters.size()> fixed{};
   for (const std::string& text : options.fixed) {
     const auto [parameter, value] = parseFixed(text, law);
-    const auto index = static_cast<std::size_t>(parameter);
-    if (!options.free.empty() && settings.free[index])
-      throw InputError("--fix " + text + ": " + nameOf(parameter) + " is free too, expected one of them");
-    if (fixed[index])
-      throw InputError("--fix " + text + ": " + nameOf(parameter) + " is fixed already, expected one value");
-    valueOf(settings.fixed, parameter) = value;
-    settings.free[index] = false;
-    fixed[index] = true;
+    const std::string name = nameOf(law, parameter);
+    if (!options.free.empty() && settings.free[index(parameter)])
+      throw InputError("--fix " + text + ": " + name + " is free too, expected one of them");
+    if (fixed[index(parameter)])
+      throw InputError("--fix " + text + ": " + name + " is fixed already, expected one value");
+    valueOf(law, settings.fixed, parameter) = value;
+    settings.free[index(parameter)] = false;
+    fixed[index(parameter)] = true;
   }
-  for (const FitParameter parameter : {FitParameter::k, FitParameter::n}) {
-    const auto index = static_cast<std::size_t>(parameter);
-    if (hasParameter(law, parameter) && !settings.free[index] && !fixed[index])
-      throw InputError("--free " + options.free + ": " + nameOf(parameter) +
-                       " is neither free nor fixed, expected --fix " + nameOf(parameter) + "=NUMBER");
+  for (const FitParameter parameter : {FitParameter::elastic, FitParameter::shape}) {
+    if (!hasParameter(law, parameter) || settings.free[index(parameter)] || fixed[index(parameter)]) continue;
+    const std::string name = nameOf(law, parameter);
+    throw InputError("--free " + options.free + ": " + name + " is neither free nor fixed, expected --fix " +
+                     name + "=NUMBER");
   }
   return settings;
 }
@@ -122,7 +133,7 @@ MatchBy matchBy(const FitOptions& options, const MeasuredCurve& curve) {
 }
 
 /// `simulation`: the law is that of its triangles; null: of a whole probe.
-CurveFit fitCurve(MeasuredCurve curve, FitLaw law, const FitSettings& settings,
+CurveFit fitCurve(MeasuredCurve curve, ForceModel law, const FitSettings& settings,
                   const SimulatedRun* simulation, const FitOptions& options) {
   CurveFit made{std::move(curve), {}, {}};
   try {
@@ -130,8 +141,9 @@ CurveFit fitCurve(MeasuredCurve curve, FitLaw law, const FitSettings& settings,
     if (simulation != nullptr) {
       simulated = makeSimulatedFit(law, *simulation, made.curve, matchBy(options, made.curve));
       made.curve = simulated.curve;
-      const bool viscous =
-          settings.free[static_cast<std::size_t>(FitParameter::lambda)] || settings.fixed.lambda != 0;
+      const bool viscous = hasParameter(law, FitParameter::damping) &&
+                           (settings.free[index(FitParameter::damping)] ||
+                            valueOf(law, settings.fixed, FitParameter::damping) != 0);
       if (viscous && !simulated.rate_note.empty()) made.curve.warnings.push_back(simulated.rate_note);
     } else {
       simulated.model = makeProbeModel(law, made.curve);
@@ -150,7 +162,7 @@ void print(int code, const nlohmann::ordered_json& values) {
 }
 
 int fitCurves(const FitOptions& options, const std::vector<MeasuredCurve>& curves) {
-  const FitLaw law = lawOf(options.law);
+  const ForceModel law = lawOf(options.law);
   const FitSettings settings = settingsOf(options, law);
   std::optional<SimulatedRun> simulation;
   if (!options.result.empty()) {
@@ -221,12 +233,11 @@ Verb addFit(Command app) {
       "what the columns are: depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe; by name or "
       "number, units m, mm, N, mN, s, ms or a factor (default: by their names, as depth_mm, force_N, "
       "time_s)");
-  const Option law =
-      command.option("--law", options->law, "hunt_crossley, kelvin_voigt or linear_elastic").showDefault();
-  const Option free =
-      command.option("--free", options->free,
-                     "what is fitted, as k,n,F0 (default: all of k, lambda, n, F0 that is not fixed); F0 and "
-                     "lambda are 0 else");
+  const Option law = command.option("--law", options->law, inWords(lawNames())).showDefault();
+  const Option free = command.option(
+      "--free", options->free,
+      "what is fitted, as k,n,F0 (default: all of the law's coefficients and F0 that are not fixed); F0 "
+      "and the damping are 0 else");
   command.option("--fix", options->fixed, "COEFFICIENT=NUMBER: not fitted; may be repeated").repeated();
   const Option result = command.option(
       "--result", options->result,

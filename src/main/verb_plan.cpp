@@ -79,8 +79,10 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
   for (const ForceSettings& law : scenario.force)
-    std::cout << "  force: " << law.name << " (" << law.model
-              << (law.deformation == "paper" ? "" : ", " + law.deformation)
+    std::cout << "  force: " << law.name << " (" << entryOf(law.model).name
+              << (law.deformation == DeformationKind::paper
+                      ? ""
+                      : ", " + nameIn(catalog().deformations, law.deformation))
               << (law.per_area ? ", per area" : "") << ")\n";
   std::cout << "  record:";
   for (const std::string& name : plan.series) std::cout << " " << name;

@@ -24,12 +24,13 @@ struct Wing {
 const std::vector<Wing> kWings = {
     {"ground", {{"base", {}}, {"text", {"base"}}, {"files", {"base"}}, {"process", {"base", "files"}}}},
     {"simulation",
-     {{"scenario", {}},
+     {{"law", {}},
+      {"scenario", {"law"}},
       {"motion", {"scenario"}},
       {"mesh", {"scenario"}},
-      {"contact", {}},
+      {"contact", {"law"}},
       {"scene", {"scenario", "mesh", "contact"}},
-      {"engine", {"scenario", "motion", "mesh", "contact"}},
+      {"engine", {"law", "scenario", "motion", "mesh", "contact"}},
       {"run", {"scenario", "motion", "scene", "contact", "engine"}}}},
     {"results",
      {{"hdf5", {}}, {"store", {"hdf5"}}, {"table", {"hdf5", "store"}}, {"paraview", {"hdf5", "store"}}}},
@@ -47,6 +48,7 @@ const std::vector<Wing> kWings = {
 
 /// Rooms that use less of the wings below than they could.
 const std::map<std::string, std::set<std::string>> kNarrow = {
+    {"law", {}},
     {"scenario", {"base", "text"}},
     {"motion", {"base", "text"}},
     {"mesh", {"base"}},
@@ -55,7 +57,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"engine", {"base"}},
     {"run", {"base"}},
     {"hdf5", {"base", "files"}},
-    {"store", {"base", "files", "scenario"}},
+    {"store", {"base", "files", "law", "scenario"}},
     {"table", {"base", "text", "files"}},
     {"paraview", {"base", "files"}},
     {"measure", {"base", "scenario", "mesh"}},  // the judge shares no code with the judged
@@ -64,8 +66,8 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"picture", {"base", "text", "files", "process", "scenario", "store"}},
     {"report", {"base", "text", "scenario", "store", "table", "measure", "compare"}},
     // What a worker does of a sweep knows neither fits nor Slurm nor how results are stored.
-    {"task", {"base", "text", "scenario", "contact", "measure"}},
-    {"fit", {"base", "text", "scenario", "contact", "store"}},
+    {"task", {"base", "text", "law", "scenario", "measure"}},
+    {"fit", {"base", "text", "law", "scenario", "store"}},
 };
 
 /// A library's headers, by how their names begin, and the only files that may include them.

@@ -12,11 +12,8 @@ namespace fissure {
 namespace {
 
 /// As the interval is symmetric: k by its logarithm.
-double onScale(FitParameter parameter, const LawValues& values) {
-  return parameter == FitParameter::k ? std::log(values.k) : valueOf(values, parameter);
-}
 double offScale(FitParameter parameter, double at) {
-  return parameter == FitParameter::k ? std::exp(at) : at;
+  return parameter == FitParameter::elastic ? std::exp(at) : at;
 }
 
 }  // namespace
@@ -50,6 +47,11 @@ FitIntervals::FitIntervals(const FitProblem& problem, const LeastSquares& best)
   covariance_ = variance_N2_ * inverse_;
 }
 
+double FitIntervals::onScale(FitParameter parameter, const FitValues& values) const {
+  return parameter == FitParameter::elastic ? std::log(values.coefficients.k)
+                                            : problem_.valueOf(values, parameter);
+}
+
 Eigen::VectorXd FitIntervals::gradientOf(const Quantity& quantity) const {
   Eigen::VectorXd gradient(best_.place.size()), beside = best_.place;
   for (Eigen::Index i = 0; i < gradient.size(); ++i) {
@@ -65,32 +67,32 @@ Eigen::VectorXd FitIntervals::gradientOf(const Quantity& quantity) const {
 
 double FitIntervals::halfWidthOfViscousShare_s_m() const {
   const Eigen::VectorXd gradient =
-      gradientOf([this](const LawValues& values) { return problem_.viscousShare_s_m(values); });
+      gradientOf([this](const FitValues& values) { return problem_.viscousShare_s_m(values); });
   return t_ * std::sqrt(gradient.dot(covariance_ * gradient));
 }
 
 double FitIntervals::rateReliability() const {
   const Eigen::VectorXd gradient =
-      gradientOf([this](const LawValues& values) { return problem_.viscousShare_s_m(values); });
+      gradientOf([this](const FitValues& values) { return problem_.viscousShare_s_m(values); });
   const double all = 1 / gradient.dot(inverse_ * gradient);
   return std::clamp(1 - problem_.noiseOfViscousShare_N2(problem_.valuesAt(best_.place)) / all, 0.0, 1.0);
 }
 
 double FitIntervals::correlation(FitParameter a, FitParameter b) const {
-  const Eigen::VectorXd of_a = gradientOf([a](const LawValues& values) { return onScale(a, values); });
-  const Eigen::VectorXd of_b = gradientOf([b](const LawValues& values) { return onScale(b, values); });
+  const Eigen::VectorXd of_a = gradientOf([this, a](const FitValues& values) { return onScale(a, values); });
+  const Eigen::VectorXd of_b = gradientOf([this, b](const FitValues& values) { return onScale(b, values); });
   return of_a.dot(covariance_ * of_b) /
          std::sqrt(of_a.dot(covariance_ * of_a) * of_b.dot(covariance_ * of_b));
 }
 
 FittedValue FitIntervals::of(FitParameter parameter) const {
-  const LawValues values = problem_.valuesAt(best_.place);
+  const FitValues values = problem_.valuesAt(best_.place);
   const double center = onScale(parameter, values);
   const Eigen::VectorXd gradient =
-      gradientOf([parameter](const LawValues& at) { return onScale(parameter, at); });
+      gradientOf([this, parameter](const FitValues& at) { return onScale(parameter, at); });
   const double error = std::sqrt(gradient.dot(covariance_ * gradient));
-  FittedValue fitted{.value = valueOf(values, parameter), .free = true};
-  fitted.standard_error = parameter == FitParameter::k ? error * values.k : error;
+  FittedValue fitted{.value = problem_.valueOf(values, parameter), .free = true};
+  fitted.standard_error = parameter == FitParameter::elastic ? error * values.coefficients.k : error;
   double down = -t_ * error, up = t_ * error;
   const auto agrees = [&](double step) { return std::abs(growth(parameter, step) / t_ - 1) <= 0.1; };
   if (variance_N2_ > 0 && !(agrees(down) && agrees(up))) {
@@ -100,27 +102,27 @@ FittedValue FitIntervals::of(FitParameter parameter) const {
   }
   fitted.low = std::min(fitted.value, offScale(parameter, center + down));
   fitted.high = std::max(fitted.value, offScale(parameter, center + up));
-  if (parameter == FitParameter::n) {
-    fitted.low = std::max(fitted.low, least_exponent);
-    fitted.high = std::min(fitted.high, largest_exponent);
+  if (parameter == FitParameter::shape) {
+    fitted.low = std::max(fitted.low, problem_.leastShape());
+    fitted.high = std::min(fitted.high, problem_.largestShape());
   }
   return fitted;
 }
 
 // sqrt((S(value) - S) / s^2): what t is where the problem is linear.
 double FitIntervals::growth(FitParameter parameter, double step) const {
-  const LawValues values = problem_.valuesAt(best_.place);
+  const FitValues values = problem_.valuesAt(best_.place);
   const double value = offScale(parameter, onScale(parameter, values) + step);
-  const bool is_exponent = parameter == FitParameter::n;
-  if (is_exponent && (value <= least_exponent || value >= largest_exponent))
+  const bool is_shape = parameter == FitParameter::shape;
+  if (is_shape && (value <= problem_.leastShape() || value >= problem_.largestShape()))
     return std::numeric_limits<double>::infinity();
-  if (!std::isfinite(value) || (parameter == FitParameter::k && value <= 0)) return 0;
+  if (!std::isfinite(value) || (parameter == FitParameter::elastic && value <= 0)) return 0;
   const Eigen::VectorXd gradient =
-      gradientOf([parameter](const LawValues& at) { return onScale(parameter, at); });
+      gradientOf([this, parameter](const FitValues& at) { return onScale(parameter, at); });
   const Eigen::VectorXd along = covariance_ * gradient;
-  LawValues start = problem_.valuesAt(best_.place + along * (step / gradient.dot(along)));
-  valueOf(start, parameter) = value;
-  if (!(start.k > 0)) start.k = values.k;
+  FitValues start = problem_.valuesAt(best_.place + along * (step / gradient.dot(along)));
+  problem_.valueOf(start, parameter) = value;
+  if (!(start.coefficients.k > 0)) start.coefficients.k = values.coefficients.k;
   const double sum = problem_.with(parameter, value).solveFrom(start).sum_of_squares;
   return std::sqrt(std::max(0.0, sum - best_.sum_of_squares) / variance_N2_);
 }

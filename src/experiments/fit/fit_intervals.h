@@ -20,18 +20,19 @@ class FitIntervals {
 
   /// Value, standard error and 95 % interval of a free coefficient.
   FittedValue of(FitParameter parameter) const;
-  /// Of lambda/k: half the interval's width, s/m, by the standard error.
+  /// Of the viscous share (FitProblem): half the interval's width, s/m, by the standard error.
   double halfWidthOfViscousShare_s_m() const;
-  /// How much of what a free lambda is told by is no noise of the rates: 0 to 1. The square of how it changes
-  /// the residuals beyond what the other free ones may, without the noise's share in that, over the same with
-  /// it. The noise draws lambda towards 0 by that factor (Fuller 1987, Measurement error models,
+  /// How much of what a free damping is told by is no noise of the rates: 0 to 1. The square of how it
+  /// changes the residuals beyond what the other free ones may, without the noise's share in that, over the
+  /// same with it. The noise draws it towards 0 by that factor (Fuller 1987, Measurement error models,
   /// section 1.1).
   double rateReliability() const;
   double correlation(FitParameter a, FitParameter b) const;
 
  private:
   /// Something that is computed from the values, as linear as possible in the coordinates.
-  using Quantity = std::function<double(const LawValues&)>;
+  using Quantity = std::function<double(const FitValues&)>;
+  double onScale(FitParameter parameter, const FitValues& values) const;
   Eigen::VectorXd gradientOf(const Quantity& quantity) const;
   double growth(FitParameter parameter, double step) const;
   double profileStep(FitParameter parameter, double linear_step) const;

@@ -14,7 +14,7 @@ namespace {
 constexpr double kLargestLogarithm = 60;
 
 bool isFree(const FitSettings& settings, FitParameter parameter) {
-  return settings.free[static_cast<std::size_t>(parameter)];
+  return settings.free[index(parameter)];
 }
 
 }  // namespace
@@ -38,85 +38,112 @@ FitData::FitData(const LawModel& fitted, std::span<const double> measured_force_
   squares_around_mean_N2 = (root_weights.array() * (force_N.array() - mean_N)).matrix().squaredNorm();
 }
 
-FitProblem::FitProblem(const FitData& data, const FitSettings& settings) : data_(data), settings_(settings) {
-  for (const FitParameter parameter :
-       {FitParameter::k, FitParameter::lambda, FitParameter::n, FitParameter::F0})
+FitProblem::FitProblem(const FitData& data, const FitSettings& settings)
+    : data_(data),
+      law_(entryOf(data.model.law())),
+      search_(law_.shape_search),
+      shape_scale_(search_.times_deformation ? data.model.deformationScale_m() : 1),
+      settings_(settings) {
+  for (const FitParameter parameter : kFitParameters)
     if (isFree(settings, parameter)) free_.push_back(parameter);
 }
 
 FitProblem FitProblem::with(FitParameter fixed, double value) const {
   FitSettings settings = settings_;
-  settings.free[static_cast<std::size_t>(fixed)] = false;
+  settings.free[index(fixed)] = false;
   valueOf(settings.fixed, fixed) = value;
   return {data_, settings};
 }
 
-double FitProblem::forceOfUnitK(double n) const {
-  const double d = data_.model.deformationScale_m();
-  return data_.model.law() == FitLaw::hunt_crossley ? std::pow(d, n) : d;
+double& FitProblem::valueOf(FitValues& values, FitParameter parameter) const {
+  return fissure::valueOf(data_.model.law(), values, parameter);
 }
 
-double FitProblem::viscousShare_s_m(const LawValues& values) const {
-  const double share = values.lambda / values.k;
-  return data_.model.law() == FitLaw::kelvin_voigt ? share / data_.model.deformationScale_m() : share;
+double FitProblem::valueOf(const FitValues& values, FitParameter parameter) const {
+  return fissure::valueOf(data_.model.law(), values, parameter);
 }
 
-double FitProblem::noiseOfViscousShare_N2(const LawValues& values) const {
-  LawValues one = values;
-  one.lambda = values.k;
-  if (data_.model.law() == FitLaw::kelvin_voigt) one.lambda *= data_.model.deformationScale_m();
+std::optional<double> FitProblem::limitOfShape(const FitValues& values) const {
+  const double shape = valueOf(values, FitParameter::shape) * shape_scale_;
+  if (shape < search_.least + 1e-3) return leastShape();
+  if (shape > search_.largest - 1e-3) return largestShape();
+  return std::nullopt;
+}
+
+double FitProblem::forceOfUnitK(const FitValues& values) const {
+  return law_.terms(values.coefficients, data_.model.deformationScale_m(), 0).elastic;
+}
+
+double FitProblem::elasticShare(const FitValues& values) const {
+  return values.coefficients.k * forceOfUnitK(values) / data_.force_scale_N;
+}
+
+double FitProblem::dampingOfUnitShare(const FitValues& values) const {
+  return law_.damping_grows_with_elastic ? 1.0 : forceOfUnitK(values);
+}
+
+double FitProblem::viscousShare_s_m(const FitValues& values) const {
+  return valueOf(values, FitParameter::damping) / values.coefficients.k / dampingOfUnitShare(values);
+}
+
+double FitProblem::noiseOfViscousShare_N2(const FitValues& values) const {
+  FitValues one = values;
+  valueOf(one, FitParameter::damping) = values.coefficients.k * dampingOfUnitShare(values);
   Eigen::VectorXd noise_N(points());
   data_.model.evaluateNoise(one, {noise_N.data(), static_cast<std::size_t>(noise_N.size())});
   return (data_.root_weights.array() * noise_N.array()).matrix().squaredNorm();
 }
 
-double FitProblem::lambdaScale() const {
-  const double per_share = data_.model.law() == FitLaw::kelvin_voigt ? data_.model.deformationScale_m() : 1.0;
-  return per_share / data_.model.rateScale_m_s();
-}
-
-LawValues FitProblem::valuesAt(const Eigen::VectorXd& place) const {
-  LawValues values = settings_.fixed;
-  double log_k = 0, lambda_share = 0;
+FitValues FitProblem::valuesAt(const Eigen::VectorXd& place) const {
+  FitValues values = settings_.fixed;
+  double log_k = 0, damping_share = 0;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     const double at = place[static_cast<Eigen::Index>(i)];
     switch (free_[i]) {
-      case FitParameter::k:
+      case FitParameter::elastic:
         log_k = std::clamp(at, -kLargestLogarithm, kLargestLogarithm);
         break;
-      case FitParameter::lambda:
-        lambda_share = at;
+      case FitParameter::damping:
+        damping_share = at;
         break;
-      case FitParameter::n:
-        values.n = least_exponent + (largest_exponent - least_exponent) / (1 + std::exp(-at));
+      case FitParameter::shape:
+        valueOf(values, FitParameter::shape) =
+            (search_.least + (search_.largest - search_.least) / (1 + std::exp(-at))) / shape_scale_;
         break;
-      case FitParameter::F0:
+      case FitParameter::offset:
         values.F0_N = at * data_.force_scale_N;
         break;
     }
   }
-  if (isFree(settings_, FitParameter::k))
-    values.k = std::exp(log_k) * data_.force_scale_N / forceOfUnitK(values.n);
-  if (isFree(settings_, FitParameter::lambda)) values.lambda = lambda_share * lambdaScale() * values.k;
+  double& k = values.coefficients.k;
+  if (isFree(settings_, FitParameter::elastic))
+    k = std::exp(log_k) * data_.force_scale_N / forceOfUnitK(values);
+  if (isFree(settings_, FitParameter::damping))
+    valueOf(values, FitParameter::damping) =
+        damping_share * (dampingOfUnitShare(values) / data_.model.rateScale_m_s()) * k;
   return values;
 }
 
-Eigen::VectorXd FitProblem::placeOf(const LawValues& values) const {
+Eigen::VectorXd FitProblem::placeOf(const FitValues& values) const {
   Eigen::VectorXd place(static_cast<Eigen::Index>(free_.size()));
+  const double k = values.coefficients.k;
   for (std::size_t i = 0; i < free_.size(); ++i) {
     double& at = place[static_cast<Eigen::Index>(i)];
-    const double n = std::clamp(values.n, least_exponent + 1e-6, largest_exponent - 1e-6);
     switch (free_[i]) {
-      case FitParameter::k:
-        at = std::log(values.k * forceOfUnitK(values.n) / data_.force_scale_N);
+      case FitParameter::elastic:
+        at = std::log(k * forceOfUnitK(values) / data_.force_scale_N);
         break;
-      case FitParameter::lambda:
-        at = values.lambda / values.k / lambdaScale();
+      case FitParameter::damping:
+        at = valueOf(values, FitParameter::damping) / k /
+             (dampingOfUnitShare(values) / data_.model.rateScale_m_s());
         break;
-      case FitParameter::n:
-        at = std::log((n - least_exponent) / (largest_exponent - n));
+      case FitParameter::shape: {
+        const double shape = std::clamp(valueOf(values, FitParameter::shape) * shape_scale_,
+                                        search_.least + 1e-6, search_.largest - 1e-6);
+        at = std::log((shape - search_.least) / (search_.largest - shape));
         break;
-      case FitParameter::F0:
+      }
+      case FitParameter::offset:
         at = values.F0_N / data_.force_scale_N;
         break;
     }
@@ -125,7 +152,7 @@ Eigen::VectorXd FitProblem::placeOf(const LawValues& values) const {
 }
 
 void FitProblem::writeResiduals(const Eigen::VectorXd& place, Eigen::VectorXd& residuals) const {
-  const LawValues values = valuesAt(place);
+  const FitValues values = valuesAt(place);
   residuals.resize(points());
   data_.model.evaluate(values, {residuals.data(), static_cast<std::size_t>(residuals.size())});
   const double most = 1e9 * data_.force_scale_N;  // an overflow is far away, but a number
@@ -143,43 +170,44 @@ Eigen::MatrixXd FitProblem::jacobian(const Eigen::VectorXd& place) const {
   return jacobianOf([this](const auto& at, auto& values) { writeResiduals(at, values); }, points(), place);
 }
 
-LeastSquares FitProblem::solveFrom(const LawValues& start) const {
+LeastSquares FitProblem::solveFrom(const FitValues& start) const {
   return leastSquares([this](const auto& at, auto& values) { writeResiduals(at, values); }, points(),
                       placeOf(start));
 }
 
-// At a given exponent and without viscosity the law is linear in k and F0.
-LawValues FitProblem::startAt(double n) const {
-  LawValues start = settings_.fixed;
-  if (isFree(settings_, FitParameter::n)) start.n = n;
-  LawValues unit = start;
-  unit.k = 1;
-  if (isFree(settings_, FitParameter::lambda)) unit.lambda = start.lambda = 0;
+// At a given shape and without viscosity the law is linear in k and F0.
+FitValues FitProblem::startAt(double shape) const {
+  FitValues start = settings_.fixed;
+  if (isFree(settings_, FitParameter::shape)) valueOf(start, FitParameter::shape) = shape / shape_scale_;
+  if (isFree(settings_, FitParameter::damping)) valueOf(start, FitParameter::damping) = 0;
+  FitValues unit = start;
+  unit.coefficients.k = 1;
   Eigen::VectorXd law_N(points());
   data_.model.evaluate(unit, {law_N.data(), static_cast<std::size_t>(law_N.size())});
   const Eigen::ArrayXd weights = data_.root_weights.array().square() / data_.root_weights.squaredNorm();
-  const double offset_N =
-      isFree(settings_, FitParameter::F0) ? (weights * data_.force_N.array()).sum() : start.F0_N;
-  const double mean_law = isFree(settings_, FitParameter::F0) ? (weights * law_N.array()).sum() : 0;
+  const bool offset_free = isFree(settings_, FitParameter::offset);
+  const double offset_N = offset_free ? (weights * data_.force_N.array()).sum() : start.F0_N;
+  const double mean_law = offset_free ? (weights * law_N.array()).sum() : 0;
   const Eigen::ArrayXd law = law_N.array() - mean_law, force_N = data_.force_N.array() - offset_N;
   const double squares = (weights * law.square()).sum();
-  const double least = 1e-3 * data_.force_scale_N / forceOfUnitK(start.n);
-  if (isFree(settings_, FitParameter::k)) {
-    start.k = squares > 0 ? (weights * law * force_N).sum() / squares : least;
-    start.k = std::isfinite(start.k) ? std::max(start.k, least) : least;
+  const double least = 1e-3 * data_.force_scale_N / forceOfUnitK(start);
+  double& k = start.coefficients.k;
+  if (isFree(settings_, FitParameter::elastic)) {
+    k = squares > 0 ? (weights * law * force_N).sum() / squares : least;
+    k = std::isfinite(k) ? std::max(k, least) : least;
   }
-  if (isFree(settings_, FitParameter::F0)) start.F0_N = offset_N - start.k * mean_law;
+  if (offset_free) start.F0_N = offset_N - k * mean_law;
   return start;
 }
 
 LeastSquares FitProblem::solve() const {
   LeastSquares best;
   bool first = true;
-  for (const double n : {1.0, 1.5, 2.2, 3.2}) {
-    const LeastSquares found = solveFrom(startAt(n));
+  for (const double shape : search_.starts) {
+    const LeastSquares found = solveFrom(startAt(shape));
     if (first || found.sum_of_squares < best.sum_of_squares) best = found;
     first = false;
-    if (!isFree(settings_, FitParameter::n)) break;  // the others would start at the same place
+    if (!isFree(settings_, FitParameter::shape)) break;  // the others would start at the same place
   }
   return best;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,9 +9,6 @@
 #include "fit/least_squares.h"
 
 namespace fissure {
-
-inline constexpr double least_exponent = 0.2;
-inline constexpr double largest_exponent = 8;
 
 /// The measured side of a fit. Throws InputError where it holds nothing to fit.
 struct FitData {
@@ -23,9 +21,10 @@ struct FitData {
   double squares_around_mean_N2 = 0;
 };
 
-/// A fit as residuals over coordinates of size one: log(k d^n / force scale), lambda/k times the rate scale,
-/// the exponent's place between its limits (logistic), F0 over the force scale; d: the deformation scale,
-/// which takes most of the correlation between k and n away. Those of what is free, in that order.
+/// A fit as residuals over coordinates of size one: the logarithm of the elastic force at the deformation
+/// scale d over the force scale (Hunt-Crossley: k d^n), the damping coefficient over k times the rate scale,
+/// the shape's place between its limits (logistic), F0 over the force scale. Taking the force at d takes most
+/// of the correlation between k and the shape away. Those of what is free, in that order.
 class FitProblem {
  public:
   /// `data` must outlive it.
@@ -33,38 +32,52 @@ class FitProblem {
 
   const std::vector<FitParameter>& free() const { return free_; }
   Eigen::Index points() const { return data_.force_N.size(); }
-  LawValues valuesAt(const Eigen::VectorXd& place) const;
-  Eigen::VectorXd placeOf(const LawValues& values) const;
+  FitValues valuesAt(const Eigen::VectorXd& place) const;
+  Eigen::VectorXd placeOf(const FitValues& values) const;
 
   /// The best of the searches from several exponents.
   LeastSquares solve() const;
-  LeastSquares solveFrom(const LawValues& start) const;
+  LeastSquares solveFrom(const FitValues& start) const;
 
   /// Of the weighted residuals.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& place) const;
   Eigen::VectorXd residuals(const Eigen::VectorXd& place) const;
 
-  /// lambda/k in s/m; for kelvin_voigt over the deformation scale.
-  double viscousShare_s_m(const LawValues& values) const;
+  /// Damping force at 1 m/s over the elastic force, both at the deformation scale, s/m: lambda/k of
+  /// Hunt-Crossley.
+  double viscousShare_s_m(const FitValues& values) const;
 
   /// Sum of squares that noise of the rates makes of (weighted) residuals where that share is 1 s/m.
-  double noiseOfViscousShare_N2(const LawValues& values) const;
+  double noiseOfViscousShare_N2(const FitValues& values) const;
 
-  /// k d^n over the force scale.
-  double elasticShare(const LawValues& values) const {
-    return values.k * forceOfUnitK(values.n) / data_.force_scale_N;
-  }
+  /// The elastic force at the deformation scale over the force scale.
+  double elasticShare(const FitValues& values) const;
+
+  /// What the law's shape is searched between, in its own unit.
+  double leastShape() const { return search_.least / shape_scale_; }
+  double largestShape() const { return search_.largest / shape_scale_; }
+  /// The end of that range at which a shape lies, if it does.
+  std::optional<double> limitOfShape(const FitValues& values) const;
+
+  /// By the law's own member for it.
+  double valueOf(const FitValues& values, FitParameter parameter) const;
+  double& valueOf(FitValues& values, FitParameter parameter) const;
 
   /// The same with one coefficient fixed.
   FitProblem with(FitParameter fixed, double value) const;
 
  private:
   void writeResiduals(const Eigen::VectorXd& place, Eigen::VectorXd& residuals) const;
-  LawValues startAt(double n) const;
-  double forceOfUnitK(double n) const;
-  double lambdaScale() const;
+  FitValues startAt(double shape) const;
+  /// Of the elastic term where k is 1, at the deformation scale.
+  double forceOfUnitK(const FitValues& values) const;
+  /// The damping coefficient over k where the viscous share is 1 s/m.
+  double dampingOfUnitShare(const FitValues& values) const;
 
   const FitData& data_;
+  const ForceLawEntry& law_;
+  const ShapeSearch& search_;
+  double shape_scale_ = 1;  ///< the shape times this has no unit
   FitSettings settings_;
   std::vector<FitParameter> free_;
 };

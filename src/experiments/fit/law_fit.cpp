@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "base/error.h"
 #include "fit/fit_intervals.h"
@@ -17,22 +18,19 @@ constexpr double kNegligibleShare_s_m = 0.1;
 constexpr double kLeastReliability = 0.9;
 constexpr double kLargestNextCorrelation = 0.2;  // beyond it intervals are a fifth too narrow, and more
 
-std::size_t index(FitParameter parameter) {
-  return static_cast<std::size_t>(parameter);
-}
-
-std::string namesOf(const std::vector<FitParameter>& parameters) {
+std::string namesOf(ForceModel law, const std::vector<FitParameter>& parameters) {
   std::string text;
-  for (const FitParameter parameter : parameters) text += (text.empty() ? "" : ", ") + nameOf(parameter);
+  for (const FitParameter parameter : parameters) text += (text.empty() ? "" : ", ") + nameOf(law, parameter);
   return text;
 }
 
-/// `of_lambda`: why that is not free any more, if so.
-void refuseTooFew(const FitData& data, const FitSettings& settings, const std::string& of_lambda) {
+/// `of_damping`: why that is not free any more, if so.
+void refuseTooFew(const FitData& data, const FitSettings& settings, const std::string& of_damping) {
   const auto free = static_cast<std::size_t>(std::count(settings.free.begin(), settings.free.end(), true));
   const auto points = static_cast<std::size_t>(data.force_N.size());
-  if (free == 0 && !of_lambda.empty())
-    throw InputError("lambda cannot be identified from this data: " + of_lambda +
+  if (free == 0 && !of_damping.empty())
+    throw InputError(nameOf(data.model.law(), FitParameter::damping) +
+                     " cannot be identified from this data: " + of_damping +
                      ", and nothing else is free, expected another coefficient to fit");
   if (free == 0) throw InputError("nothing is free, expected a coefficient to fit");
   if (points <= free)
@@ -40,32 +38,30 @@ void refuseTooFew(const FitData& data, const FitSettings& settings, const std::s
                      std::to_string(free) + " free coefficients, expected more points than these");
 }
 
-bool isAtLimit(double exponent) {
-  return exponent < least_exponent + 1e-3 || exponent > largest_exponent - 1e-3;
-}
-
 LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitData& data) {
-  const LawValues values = problem.valuesAt(best.place);
+  const FitValues values = problem.valuesAt(best.place);
   if (problem.elasticShare(values) < 1e-6)
     throw InputError("the force does not grow with the depth, expected one that does");
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    throw InputError("the data does not determine " + namesOf(problem.free()) + " (singular value ratio " +
-                     fourDigits(intervals.singularValueRatio()) +
+    throw InputError("the data does not determine " + namesOf(data.model.law(), problem.free()) +
+                     " (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
                      "), expected other depths, or fewer of them free");
   LawFit fit;
+  fit.model = data.model.law();
   for (auto& row : fit.correlation) row.fill(kNone);
-  for (std::size_t i = 0; i < kFitParameters; ++i)
-    fit.values[i] = {.value = valueOf(values, static_cast<FitParameter>(i)),
-                     .standard_error = kNone,
-                     .low = kNone,
-                     .high = kNone};
+  for (const FitParameter parameter : kFitParameters)
+    fit.values[index(parameter)] = {
+        .value = hasParameter(fit.model, parameter) ? valueOf(fit.model, values, parameter) : 0,
+        .standard_error = kNone,
+        .low = kNone,
+        .high = kNone};
   for (const FitParameter a : problem.free()) {
     fit.values[index(a)] = intervals.of(a);
     for (const FitParameter b : problem.free())
       fit.correlation[index(a)][index(b)] = a == b ? 1 : intervals.correlation(a, b);
   }
-  const bool share = fit.of(FitParameter::lambda).free && data.model.law() == FitLaw::hunt_crossley;
+  const bool share = fit.of(FitParameter::damping).free && entryOf(fit.model).damping_grows_with_elastic;
   fit.lambda_over_k_s_m = share ? problem.viscousShare_s_m(values) : kNone;
   fit.lambda_over_k_half_width_s_m = share ? intervals.halfWidthOfViscousShare_s_m() : kNone;
   fit.points = static_cast<std::size_t>(problem.points());
@@ -81,17 +77,17 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
   return fit;
 }
 
-/// Whether the data says what lambda is.
-struct LambdaVerdict {
+/// Whether the data says what the damping is.
+struct DampingVerdict {
   std::string problem;  ///< why it does not; empty: it does
   std::string note;     ///< what is wrong with it, or why it is known only roughly
 };
 
-LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
+DampingVerdict judgeDamping(const FitProblem& problem, const LeastSquares& best, const std::string& name) {
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    return {"k and lambda do the same (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
-                "), as where all rates are the same",
+    return {"k and " + name + " do the same (singular value ratio " +
+                fourDigits(intervals.singularValueRatio()) + "), as where all rates are the same",
             ""};
   const double reliability = intervals.rateReliability();
   if (!(reliability >= kLeastReliability))
@@ -100,24 +96,24 @@ LambdaVerdict judgeLambda(const FitProblem& problem, const LeastSquares& best) {
             ""};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
-  const std::string interval = "the 95 % interval of lambda/k, " + fourDigits(share - half_width) + " to " +
-                               fourDigits(share + half_width) + " s/m, ";
+  const std::string interval = "the 95 % interval of " + name + "/k, " + fourDigits(share - half_width) +
+                               " to " + fourDigits(share + half_width) + " s/m, ";
   if (share + half_width < 0)
-    return {"", "lambda is negative, which is unphysical: are force and depth recorded at one time?"};
+    return {"", name + " is negative, which is unphysical: are force and depth recorded at one time?"};
   if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
   if (half_width >= std::abs(share))
     return {interval + "holds 0 and is wider than +-" + fourDigits(kNegligibleShare_s_m) + " s/m", ""};
-  return {"", "lambda is known only roughly: " + interval + "is wider than half its value to either side"};
+  return {"", name + " is known only roughly: " + interval + "is wider than half its value to either side"};
 }
 
-void judgeOthers(const FitData& data, LawFit& fit) {
+void judgeOthers(const FitProblem& problem, const FitData& data, LawFit& fit) {
   const auto hardly = [](const std::string& why, FittedValue& value) {
     if (value.free && value.problem.empty()) value.problem = why;
   };
   const auto free = static_cast<double>(fit.free_count), points = static_cast<double>(fit.points);
   const double numerator = std::max(1.0, free - 1);
   const double residual_N2 = (1 - fit.r_squared) * data.squares_around_mean_N2;
-  if (residual_N2 > 0 && fit.of(FitParameter::F0).free) {  // else no constant force is among the fits
+  if (residual_N2 > 0 && fit.of(FitParameter::offset).free) {  // else no constant force is among the fits
     const double explained_N2 = std::max(0.0, data.squares_around_mean_N2 - residual_N2);
     const double f = explained_N2 / numerator / (residual_N2 / (points - free));
     const double chance = fisherTail(f, numerator, points - free);
@@ -126,25 +122,25 @@ void judgeOthers(const FitData& data, LawFit& fit) {
           "the force hardly changes with the depth: a constant one fits as well (F test, "
           "p = " +
           fourDigits(chance) + ")";
-      hardly(why, fit.values[index(FitParameter::k)]);
-      hardly(why, fit.values[index(FitParameter::n)]);
+      hardly(why, fit.values[index(FitParameter::elastic)]);
+      hardly(why, fit.values[index(FitParameter::shape)]);
     }
   }
-  FittedValue& n = fit.values[index(FitParameter::n)];
-  if (n.low <= least_exponent || n.high >= largest_exponent)
-    hardly("its 95 % interval reaches the limit of what is searched, " + fourDigits(least_exponent) + " to " +
-               fourDigits(largest_exponent),
-           n);
+  FittedValue& shape = fit.values[index(FitParameter::shape)];
+  if (shape.low <= problem.leastShape() || shape.high >= problem.largestShape())
+    hardly("its 95 % interval reaches the limit of what is searched, " + fourDigits(problem.leastShape()) +
+               " to " + fourDigits(problem.largestShape()),
+           shape);
   for (FittedValue& value : fit.values)
     if (value.free && (!std::isfinite(value.low) || !std::isfinite(value.high)))
       hardly("its 95 % interval has no end", value);
 }
 
 void addNotes(LawFit& fit) {
-  for (std::size_t i = 0; i < kFitParameters; ++i)
-    if (!fit.values[i].problem.empty())
-      fit.notes.push_back(nameOf(static_cast<FitParameter>(i)) +
-                          " cannot be identified from this data: " + fit.values[i].problem);
+  for (const FitParameter parameter : kFitParameters)
+    if (!fit.of(parameter).problem.empty())
+      fit.notes.push_back(nameOf(fit.model, parameter) +
+                          " cannot be identified from this data: " + fit.of(parameter).problem);
   const double most = std::max(kLargestNextCorrelation, 2.33 / std::sqrt(static_cast<double>(fit.points)));
   if (fit.points >= 20 && fit.next_correlation > most)
     fit.notes.push_back("residuals of neighbouring points are alike (correlation " +
@@ -153,11 +149,13 @@ void addNotes(LawFit& fit) {
   if (!fit.converged) fit.notes.emplace_back("the search for the least squares has not converged");
 }
 
+using Problems = std::array<std::string, kFitParameters.size()>;  // by FitParameter
+
 LawFit describe(const FitProblem& problem, const LeastSquares& best, const FitData& data,
-                const std::array<std::string, kFitParameters>& problems, const std::string& note) {
+                const Problems& problems, const std::string& note) {
   LawFit fit = measure(problem, best, data);
-  for (std::size_t i = 0; i < kFitParameters; ++i) fit.values[i].problem = problems[i];
-  judgeOthers(data, fit);
+  for (std::size_t i = 0; i < problems.size(); ++i) fit.values[i].problem = problems[i];
+  judgeOthers(problem, data, fit);
   if (!note.empty()) fit.notes.push_back(note);
   addNotes(fit);
   return fit;
@@ -165,44 +163,50 @@ LawFit describe(const FitProblem& problem, const LeastSquares& best, const FitDa
 
 }  // namespace
 
-LawValues LawFit::law() const {
-  LawValues law;
-  for (std::size_t i = 0; i < kFitParameters; ++i)
-    valueOf(law, static_cast<FitParameter>(i)) = values[i].value;
+FitValues LawFit::law() const {
+  FitValues law;
+  for (const FitParameter parameter : kFitParameters)
+    if (hasParameter(model, parameter)) valueOf(model, law, parameter) = of(parameter).value;
   return law;
 }
 
 LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<const double> weights,
               const FitSettings& settings) {
   const FitData data(model, force_N, weights);
+  const ForceModel law = model.law();
   FitSettings used = settings;
-  bool& lambda_free = used.free[index(FitParameter::lambda)];
-  bool& n_free = used.free[index(FitParameter::n)];
-  std::array<std::string, kFitParameters> problems;
-  std::string& of_lambda = problems[index(FitParameter::lambda)];
-  std::string& of_n = problems[index(FitParameter::n)];
-  if (lambda_free && !(model.rateScale_m_s() > 0)) {
-    of_lambda = "there is no rate of the depth in it; it is fixed at " + fourDigits(used.fixed.lambda);
-    lambda_free = false;
+  bool& damping_free = used.free[index(FitParameter::damping)];
+  bool& shape_free = used.free[index(FitParameter::shape)];
+  Problems problems;
+  std::string& of_damping = problems[index(FitParameter::damping)];
+  std::string& of_shape = problems[index(FitParameter::shape)];
+  if (damping_free && !(model.rateScale_m_s() > 0)) {
+    of_damping = "there is no rate of the depth in it; it is fixed at " +
+                 fourDigits(valueOf(law, used.fixed, FitParameter::damping));
+    damping_free = false;
   }
   for (;;) {
-    refuseTooFew(data, used, of_lambda);
+    refuseTooFew(data, used, of_damping);
     const FitProblem problem(data, used);
     const LeastSquares best = problem.solve();
-    const LawValues values = problem.valuesAt(best.place);
-    if (n_free && isAtLimit(values.n)) {
-      of_n = "the least squares lie at a limit of what is searched, 0.2 to 8; it is fixed there";
-      used.fixed.n = std::round(values.n * 5) / 5;
-      n_free = false;
-      continue;
+    if (shape_free) {
+      if (const std::optional<double> limit = problem.limitOfShape(problem.valuesAt(best.place))) {
+        of_shape = "the least squares lie at a limit of what is searched, " +
+                   fourDigits(problem.leastShape()) + " to " + fourDigits(problem.largestShape()) +
+                   "; it is fixed there";
+        valueOf(law, used.fixed, FitParameter::shape) = *limit;
+        shape_free = false;
+        continue;
+      }
     }
-    const LambdaVerdict verdict = lambda_free ? judgeLambda(problem, best) : LambdaVerdict();
+    const DampingVerdict verdict =
+        damping_free ? judgeDamping(problem, best, nameOf(law, FitParameter::damping)) : DampingVerdict();
     if (verdict.problem.empty()) return describe(problem, best, data, problems, verdict.note);
-    of_lambda = verdict.problem + "; it is fixed at 0";
-    lambda_free = false;
-    used.fixed.lambda = 0;
-    n_free = settings.free[index(FitParameter::n)];
-    of_n.clear();
+    of_damping = verdict.problem + "; it is fixed at 0";
+    damping_free = false;
+    valueOf(law, used.fixed, FitParameter::damping) = 0;
+    shape_free = settings.free[index(FitParameter::shape)];
+    of_shape.clear();
   }
 }
 

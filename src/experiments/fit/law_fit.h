@@ -11,8 +11,8 @@
 namespace fissure {
 
 struct FitSettings {
-  LawValues fixed;                          ///< of what is not free
-  std::array<bool, kFitParameters> free{};  ///< by FitParameter; only what the law has
+  FitValues fixed;                                 ///< of what is not free
+  std::array<bool, kFitParameters.size()> free{};  ///< by FitParameter; only what the law has
 };
 
 /// One coefficient of a fit.
@@ -23,15 +23,16 @@ struct FittedValue {
   double standard_error = 0;  ///< from J'J at the optimum
   double low = 0, high = 0;   ///< 95 % interval; infinite, for k and n a limit, where it is open
   bool profiled = false;      ///< its ends are the profile's
-  std::string problem;        ///< why it cannot be identified; also of a lambda that was fixed for that
+  std::string problem;        ///< why it cannot be identified; also of a damping that was fixed for that
 };
 
 struct LawFit {
-  std::array<FittedValue, kFitParameters> values;  ///< by FitParameter
+  ForceModel model = ForceModel::hunt_crossley;
+  std::array<FittedValue, kFitParameters.size()> values;  ///< by FitParameter
   /// Of free ones, k by its logarithm; NaN for others.
-  std::array<std::array<double, kFitParameters>, kFitParameters> correlation{};
-  /// lambda/k and half its 95 % interval, s/m, by the standard error; NaN but where both are fitted by
-  /// hunt_crossley.
+  std::array<std::array<double, kFitParameters.size()>, kFitParameters.size()> correlation{};
+  /// lambda/k and half its 95 % interval, s/m, by the standard error; NaN but where both are fitted, and of
+  /// laws whose damping does not grow with their elastic force.
   double lambda_over_k_s_m = 0, lambda_over_k_half_width_s_m = 0;
   std::size_t points = 0;
   int free_count = 0;
@@ -42,27 +43,29 @@ struct LawFit {
   bool converged = false;
   std::vector<std::string> notes;  ///< what a reader must know
 
-  const FittedValue& of(FitParameter parameter) const { return values[static_cast<std::size_t>(parameter)]; }
-  LawValues law() const;
+  const FittedValue& of(FitParameter parameter) const { return values[index(parameter)]; }
+  FitValues law() const;
 };
 
-/// Least squares over log k, lambda/k, n (0.2 to 8) and F0 by Levenberg and Marquardt's method, from four
-/// exponents. Weights are relative: the size of the error is taken from the residuals.
+/// Least squares over log k, the damping over k, the shape between its law's limits and F0 by Levenberg and
+/// Marquardt's method, from four shapes. Weights are relative: the size of the error is taken from the
+/// residuals.
 ///
 /// 95 % intervals: value -+ t(points - free) standard errors; of k by its logarithm. Where the residuals do
 /// not agree with that at one of its ends, by more than a tenth of t, its ends are the profile's: with the
 /// rest fitted anew the sum of squares has grown by t^2 s^2 there (Bates and Watts 1988, section 6.1).
 ///
-/// lambda cannot be identified without rates; where k and lambda do the same, as at one rate throughout (a
-/// singular value ratio below 1e-7); where noise of the depths makes more than a tenth of what tells it
-/// (FitIntervals::rateReliability); and where the 95 % interval of lambda/k holds 0 and is wider than +-0.1
-/// s/m, a tenth of the elastic force at 1 m/s (kelvin_voigt: lambda/k over the typical depth). It is then
-/// fixed at 0 and the rest fitted again. A note says where that interval leaves out 0, but is wider than half
-/// the value to either side, and where it lies below 0.
+/// The damping (lambda of Hunt-Crossley, c of a damper) cannot be identified without rates; where k and it do
+/// the same, as at one rate throughout (a singular value ratio below 1e-7); where noise of the depths makes
+/// more than a tenth of what tells it (FitIntervals::rateReliability); and where the 95 % interval of
+/// damping over k holds 0 and is wider than +-0.1 s/m, a tenth of the elastic force at 1 m/s (of a damper:
+/// over the elastic term at the typical depth). It is then fixed at 0 and the rest fitted again. A note says
+/// where that interval leaves out 0, but is wider than half the value to either side, and where it lies below
+/// 0.
 ///
-/// Also said: where a constant force fits as well, if F0 is free (F test, 5 %); where an interval of n
-/// reaches a limit; and where residuals of neighbouring points correlate by more than 0.2 and than chance
-/// would have it once in a hundred times (2.33 / sqrt(points), from 20 points on).
+/// Also said: where a constant force fits as well, if F0 is free (F test, 5 %); where an interval of
+/// the shape reaches a limit; and where residuals of neighbouring points correlate by more than 0.2 and than
+/// chance would have it once in a hundred times (2.33 / sqrt(points), from 20 points on).
 ///
 /// Throws InputError, one line without a file, where nothing can be fitted: too few points, one force, one
 /// depth, no free coefficient.

@@ -4,10 +4,10 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "base/error.h"
-#include "contact/force_law.h"
 
 namespace fissure {
 
@@ -15,7 +15,7 @@ namespace {
 
 class ProbeModel : public LawModel {
  public:
-  ProbeModel(FitLaw law, const MeasuredCurve& curve)
+  ProbeModel(ForceModel law, const MeasuredCurve& curve)
       : law_(law), depth_m_(curve.depth_m), rate_m_s_(curve.rate_m_s), rate_noise_m_s_(curve.rate_noise_m_s) {
     if (depth_m_.empty()) throw InputError("the curve has no depths, expected a column of them");
     rate_m_s_.resize(depth_m_.size(), 0);
@@ -28,87 +28,81 @@ class ProbeModel : public LawModel {
     depth_scale_m_ = std::sqrt(squares_m2);
     if (!(depth_scale_m_ > 0)) throw InputError("all depths are 0, expected some above");
   }
-  FitLaw law() const override { return law_; }
+  ForceModel law() const override { return law_; }
   std::size_t size() const override { return depth_m_.size(); }
-  void evaluate(const LawValues& values, std::span<double> force_N) const override {
-    const std::unique_ptr<ForceLaw> law = forceLaw(values);
+  void evaluate(const FitValues& values, std::span<double> force_N) const override {
+    const ForceLaw law(law_, values.coefficients);
     for (std::size_t i = 0; i < depth_m_.size(); ++i) {
-      const LawForce force = law->at(depth_m_[i], rate_m_s_[i]);
+      const LawForce force = law.at(depth_m_[i], rate_m_s_[i]);
       force_N[i] = force.elastic_N + force.viscous_N;
     }
   }
-  void evaluateNoise(const LawValues& values, std::span<double> noise_N) const override {
-    const std::unique_ptr<ForceLaw> law = forceLaw(values);
+  void evaluateNoise(const FitValues& values, std::span<double> noise_N) const override {
+    const ForceLaw law(law_, values.coefficients);
     for (std::size_t i = 0; i < depth_m_.size(); ++i)
-      noise_N[i] = std::abs(law->at(depth_m_[i], rate_noise_m_s_[i]).viscous_N);
+      noise_N[i] = std::abs(law.at(depth_m_[i], rate_noise_m_s_[i]).viscous_N);
   }
   double deformationScale_m() const override { return depth_scale_m_; }
   double rateScale_m_s() const override { return rate_scale_m_s_; }
 
  private:
-  std::unique_ptr<ForceLaw> forceLaw(const LawValues& values) const {
-    return makeForceLaw(nameOf(law_),
-                        {.k = values.k, .lambda = values.lambda, .n = values.n, .c = values.lambda});
-  }
-
-  FitLaw law_;
+  ForceModel law_;
   std::vector<double> depth_m_, rate_m_s_, rate_noise_m_s_;
   double depth_scale_m_ = 0, rate_scale_m_s_ = 0;
 };
 
 }  // namespace
 
-void LawModel::evaluateNoise(const LawValues& /*values*/, std::span<double> noise_N) const {
+void LawModel::evaluateNoise(const FitValues& /*values*/, std::span<double> noise_N) const {
   std::fill(noise_N.begin(), noise_N.end(), 0.0);
 }
 
-std::string nameOf(FitLaw law) {
-  constexpr std::array names = {"hunt_crossley", "kelvin_voigt", "linear_elastic"};
-  return names[static_cast<std::size_t>(law)];
-}
+namespace {
 
-std::string nameOf(FitParameter parameter) {
-  constexpr std::array names = {"k", "lambda", "n", "F0"};
-  return names[static_cast<std::size_t>(parameter)];
-}
-
-std::string unitOf(FitLaw law, FitParameter parameter) {
-  const bool hunt_crossley = law == FitLaw::hunt_crossley;
+/// Null for F0.
+const LawCoefficient* coefficientOf(ForceModel law, FitParameter parameter) {
   switch (parameter) {
-    case FitParameter::k:
-      return hunt_crossley ? "N/m^n" : "N/m";
-    case FitParameter::lambda:
-      return hunt_crossley ? "N s/m^(n+1)" : "N s/m";
-    case FitParameter::n:
-      return "1";
-    case FitParameter::F0:
+    case FitParameter::elastic:
+      return entryOf(law).find(CoefficientRole::elastic);
+    case FitParameter::damping:
+      return entryOf(law).find(CoefficientRole::damping);
+    case FitParameter::shape:
+      return entryOf(law).find(CoefficientRole::shape);
+    case FitParameter::offset:
       break;
   }
-  return "N";
+  return nullptr;
 }
 
-bool hasParameter(FitLaw law, FitParameter parameter) {
-  if (parameter == FitParameter::n) return law == FitLaw::hunt_crossley;
-  return parameter != FitParameter::lambda || law != FitLaw::linear_elastic;
+const LawCoefficient& requiredCoefficient(ForceModel law, FitParameter parameter) {
+  const LawCoefficient* coefficient = coefficientOf(law, parameter);
+  if (coefficient == nullptr)
+    throw std::invalid_argument("the law " + std::string(entryOf(law).name) + " has no such coefficient");
+  return *coefficient;
 }
 
-double& valueOf(LawValues& values, FitParameter parameter) {
-  switch (parameter) {
-    case FitParameter::k:
-      return values.k;
-    case FitParameter::lambda:
-      return values.lambda;
-    case FitParameter::n:
-      return values.n;
-    case FitParameter::F0:
-      break;
-  }
-  return values.F0_N;
+}  // namespace
+
+bool hasParameter(ForceModel law, FitParameter parameter) {
+  return parameter == FitParameter::offset || coefficientOf(law, parameter) != nullptr;
 }
 
-double valueOf(const LawValues& values, FitParameter parameter) {
-  LawValues copy = values;
-  return valueOf(copy, parameter);
+std::string nameOf(ForceModel law, FitParameter parameter) {
+  return parameter == FitParameter::offset ? "F0" : std::string(requiredCoefficient(law, parameter).name);
+}
+
+std::string unitOf(ForceModel law, FitParameter parameter) {
+  return parameter == FitParameter::offset ? "N" : std::string(requiredCoefficient(law, parameter).unit);
+}
+
+double& valueOf(ForceModel law, FitValues& values, FitParameter parameter) {
+  if (parameter == FitParameter::offset) return values.F0_N;
+  return values.coefficients.*requiredCoefficient(law, parameter).member;
+}
+
+double valueOf(ForceModel law, const FitValues& values, FitParameter parameter) {
+  FitValues copy = values;
+  return valueOf(law, copy, parameter);
 }
 
 std::string fourDigits(double value) {
@@ -118,7 +112,7 @@ std::string fourDigits(double value) {
   return {text.data(), end};
 }
 
-std::unique_ptr<LawModel> makeProbeModel(FitLaw law, const MeasuredCurve& curve) {
+std::unique_ptr<LawModel> makeProbeModel(ForceModel law, const MeasuredCurve& curve) {
   return std::make_unique<ProbeModel>(law, curve);
 }
 

@@ -1,39 +1,39 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <memory>
 #include <span>
 #include <string>
 
 #include "fit/measured_curve.h"
+#include "law/force_law.h"
 
 namespace fissure {
 
-/// hunt_crossley: F = F0 + k d^n + lambda d^n d'   kelvin_voigt: F0 + k d + lambda d'   linear_elastic: F0 +
-/// k d
-enum class FitLaw { hunt_crossley, kelvin_voigt, linear_elastic };
-
-/// Coefficients in N, m and s. The law's part never pulls; F0, the force where the depth begins, may.
-struct LawValues {
-  double k = 0;
-  double lambda = 0;
-  double n = 1;
+/// A law with what a fit adds to it: F0, the force where the depth begins, which may pull.
+struct FitValues {
+  LawCoefficients coefficients;
   double F0_N = 0;
 };
 
-enum class FitParameter { k, lambda, n, F0 };
-inline constexpr std::size_t kFitParameters = 4;
+/// What a fit may search: a law's coefficients by what they do in it, and F0.
+enum class FitParameter { elastic, damping, shape, offset };
+inline constexpr std::array kFitParameters = {FitParameter::elastic, FitParameter::damping,
+                                              FitParameter::shape, FitParameter::offset};
 
-/// A name in catalog().force_laws.
-std::string nameOf(FitLaw law);
-/// "k", "lambda", "n", "F0".
-std::string nameOf(FitParameter parameter);
-/// Unit of a law's coefficient: "N/m^n", ...
-std::string unitOf(FitLaw law, FitParameter parameter);
 /// Whether the law has such a coefficient at all.
-bool hasParameter(FitLaw law, FitParameter parameter);
-double& valueOf(LawValues& values, FitParameter parameter);
-double valueOf(const LawValues& values, FitParameter parameter);
+bool hasParameter(ForceModel law, FitParameter parameter);
+/// Its name in this law: "k", "lambda", "c", "n", "F0". Throws std::invalid_argument where it has none, as
+/// the next two do.
+std::string nameOf(ForceModel law, FitParameter parameter);
+/// Its unit: "N/m^n", ...
+std::string unitOf(ForceModel law, FitParameter parameter);
+double& valueOf(ForceModel law, FitValues& values, FitParameter parameter);
+double valueOf(ForceModel law, const FitValues& values, FitParameter parameter);
+constexpr std::size_t index(FitParameter parameter) {
+  return static_cast<std::size_t>(parameter);
+}
 
 /// Four digits, for people.
 std::string fourDigits(double value);
@@ -42,12 +42,12 @@ std::string fourDigits(double value);
 class LawModel {
  public:
   virtual ~LawModel() = default;
-  virtual FitLaw law() const = 0;
+  virtual ForceModel law() const = 0;
   virtual std::size_t size() const = 0;
   /// The law's forces without F0, newtons: size() of them.
-  virtual void evaluate(const LawValues& values, std::span<double> force_N) const = 0;
+  virtual void evaluate(const FitValues& values, std::span<double> force_N) const = 0;
   /// What noise of the rates makes of these forces: standard deviations, newtons. 0 where rates have none.
-  virtual void evaluateNoise(const LawValues& values, std::span<double> noise_N) const;
+  virtual void evaluateNoise(const FitValues& values, std::span<double> noise_N) const;
   /// How large deformations and their rates are, roughly: > 0; rates may be 0 throughout.
   virtual double deformationScale_m() const = 0;
   virtual double rateScale_m_s() const = 0;
@@ -55,6 +55,6 @@ class LawModel {
 
 /// The law of a whole probe at the measured depths, and rates where there are times. Copies what it needs of
 /// the curve. Throws InputError, without a file, where it has no depth above 0.
-std::unique_ptr<LawModel> makeProbeModel(FitLaw law, const MeasuredCurve& curve);
+std::unique_ptr<LawModel> makeProbeModel(ForceModel law, const MeasuredCurve& curve);
 
 }  // namespace fissure

@@ -25,24 +25,22 @@ struct Place {
 class SimulatedModel : public LawModel {
  public:
   /// `rates`: whether those of the simulation are those of the curve.
-  SimulatedModel(FitLaw law, const SimulatedRun& run, std::vector<Place> places, bool rates)
+  SimulatedModel(ForceModel law, const SimulatedRun& run, std::vector<Place> places, bool rates)
       : law_(law), scenario_laws_(run.laws), places_(std::move(places)) {
     const auto same = std::find_if(run.laws.begin(), run.laws.end(),
-                                   [&](const ForceSettings& of) { return of.model == nameOf(law); });
+                                   [&](const ForceSettings& of) { return of.model == law; });
     seen_as_ = same == run.laws.end() ? run.laws.front() : *same;
-    seen_as_.model = nameOf(law);
+    seen_as_.model = law;
     takeSteps(run);
     takeScales(
         static_cast<std::size_t>((same == run.laws.end() ? run.laws.begin() : same) - run.laws.begin()));
     if (!rates) rate_scale_m_s_ = 0;
   }
-  FitLaw law() const override { return law_; }
+  ForceModel law() const override { return law_; }
   std::size_t size() const override { return places_.size(); }
-  void evaluate(const LawValues& values, std::span<double> force_N) const override {
+  void evaluate(const FitValues& values, std::span<double> force_N) const override {
     ForceSettings law = seen_as_;
-    law.k = values.k;
-    law.lambda = law.c = values.lambda;
-    law.n = values.n;
+    law.coefficients = values.coefficients;
     LawFamily family({law}, scenario_laws_);
     std::vector<double> of_steps_N;
     of_steps_N.reserve(steps_.size());
@@ -91,7 +89,7 @@ class SimulatedModel : public LawModel {
     rate_scale_m_s_ = std::sqrt(squares_m2_s2 / count);
   }
 
-  FitLaw law_;
+  ForceModel law_;
   std::vector<ForceSettings> scenario_laws_;
   ForceSettings seen_as_;
   std::vector<Place> places_;
@@ -177,7 +175,8 @@ SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::stri
   return read;
 }
 
-SimulatedFit makeSimulatedFit(FitLaw law, const SimulatedRun& run, const MeasuredCurve& curve, MatchBy by) {
+SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const MeasuredCurve& curve,
+                              MatchBy by) {
   const std::vector<double>& measured = by == MatchBy::time ? curve.time_s : curve.depth_m;
   const std::string what = by == MatchBy::time ? "times" : "depths";
   if (measured.empty()) throw InputError("the curve has no " + what + ", expected a column of them");

@@ -8,7 +8,6 @@
 #include "fit/law_model.h"
 #include "fit/match_by.h"
 #include "scenario/forces.h"
-#include "scenario/pipelines.h"
 #include "store/force_inputs.h"
 
 namespace fissure {
@@ -38,6 +37,7 @@ struct SimulatedFit {
 /// (rateScale_m_s() is 0 then), and a note says where their typical values differ by more than a factor of
 /// two. Throws InputError, without a file, when the curve has no times or depths, or the simulation reaches
 /// none.
-SimulatedFit makeSimulatedFit(FitLaw law, const SimulatedRun& run, const MeasuredCurve& curve, MatchBy by);
+SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const MeasuredCurve& curve,
+                              MatchBy by);
 
 }  // namespace fissure

@@ -53,7 +53,7 @@ std::string shortened(const std::string& ranges) {
 
 std::string words(const std::vector<std::string>& arguments) {
   std::string text;
-  for (const std::string& argument : arguments) text += " " + shellWord(argument);
+  for (const std::string& argument : arguments) text.append(" ").append(shellWord(argument));
   return text;
 }
 

@@ -24,13 +24,6 @@ std::size_t itemAt(const std::vector<Item>& items, const std::string& part) {
              : items.size();
 }
 
-double* coefficient(ForceSettings& law, const std::string& name) {
-  if (name == "k") return &law.k;
-  if (name == "lambda") return &law.lambda;
-  if (name == "n") return &law.n;
-  return name == "c" ? &law.c : nullptr;
-}
-
 }  // namespace
 
 SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder)
@@ -64,8 +57,8 @@ void SweepPlan::sortAxes() {
     if (parts[0] == "tools" && (parts.size() < 3 || parts[2] == "coupling")) laws_move_nothing = false;
     if (parts[0] != "force") continue;
     axis.law_index = parts.size() == 3 ? itemAt(scenario.force, parts[1]) : scenario.force.size();
-    ForceSettings any;
-    if (axis.law_index < scenario.force.size() && coefficient(any, parts[2])) {
+    if (axis.law_index < scenario.force.size() &&
+        entryOf(scenario.force[axis.law_index].model).find(parts[2])) {
       axis.law = true;
       axis.coefficient = parts[2];
     } else {
@@ -222,7 +215,8 @@ std::vector<ForceSettings> SweepPlan::lawsAt(std::size_t point) const {
     const std::optional<double> number = toReal(text);
     if (!number)
       throw InputError("axis " + manifest_.points.paths()[a] + ": " + text + ", expected a number");
-    *coefficient(laws[axes_[a].law_index], axes_[a].coefficient) = *number;
+    ForceSettings& law = laws[axes_[a].law_index];
+    law.coefficients.*entryOf(law.model).find(axes_[a].coefficient)->member = *number;
   }
   return laws;
 }

@@ -6,9 +6,11 @@
 #include <map>
 #include <numeric>
 #include <stdexcept>
+#include <string>
 #include <tuple>
 
 #include "base/error.h"
+#include "scenario/catalog.h"
 
 namespace fissure {
 
@@ -29,38 +31,37 @@ std::size_t channelOf(const ForceSettings& law, const std::vector<ForceSettings>
     return of.deformation == law.deformation && of.rate == law.rate;
   });
   if (found == scenario_laws.end())
-    throw InputError("force law " + law.name + ": no law of the scenario has deformation " + law.deformation +
-                     " and rate " + law.rate + ", whose inputs it needs");
+    throw InputError("force law " + law.name + ": no law of the scenario has deformation " +
+                     nameIn(catalog().deformations, law.deformation) + " and rate " +
+                     nameIn(catalog().rates, law.rate) + ", whose inputs it needs");
   return static_cast<std::size_t>(found - scenario_laws.begin());
-}
-
-/// Of B.
-double secondCoefficient(const ForceSettings& law) {
-  if (law.model == "hunt_crossley") return law.lambda;
-  return law.model == "kelvin_voigt" ? law.c : 0;
 }
 
 }  // namespace
 
 LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<ForceSettings>& scenario_laws)
     : scenario_laws_(scenario_laws.size()), values_(laws.size()) {
-  std::map<std::tuple<std::size_t, bool, std::string, double>, Group> groups;
+  std::map<std::tuple<std::size_t, bool, ForceModel, double>, Group> groups;
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const ForceSettings& law = laws[i];
-    laws_.push_back(makeForceLaw(law.model, {.k = law.k, .lambda = law.lambda, .n = law.n, .c = law.c}));
-    const double n = law.model == "hunt_crossley" ? law.n : 1;
+    const ForceLawEntry& entry = entryOf(law.model);
+    const auto valueOf = [&](CoefficientRole role) {
+      const LawCoefficient* coefficient = entry.find(role);
+      return coefficient ? law.coefficients.*coefficient->member : 0;
+    };
+    laws_.emplace_back(law.model, law.coefficients);
     const std::size_t channel = channelOf(law, scenario_laws);
-    Group& group = groups[{channel, law.per_area, law.model, n}];
-    group.model = law.model;
-    group.n = n;
+    Group& group = groups[{channel, law.per_area, law.model, valueOf(CoefficientRole::shape)}];
+    group.law = &entry;
+    group.coefficients = law.coefficients;
     group.per_area = law.per_area;
     group.channel = channel;
-    const double c = secondCoefficient(law);
+    const double k = valueOf(CoefficientRole::elastic), c = valueOf(CoefficientRole::damping);
     group.members.push_back({.law = i,
-                             .k = law.k,
+                             .k = k,
                              .c = c,
-                             .threshold = c > 0 ? -law.k / c : -std::numeric_limits<double>::infinity(),
-                             .extreme = !isOrdinary(law.k) || !isOrdinary(c) || c < 0});
+                             .threshold = c > 0 ? -k / c : -std::numeric_limits<double>::infinity(),
+                             .extreme = !isOrdinary(k) || !isOrdinary(c) || c < 0});
   }
   for (auto& [key, group] : groups) {
     std::stable_sort(group.members.begin(), group.members.end(),
@@ -90,21 +91,20 @@ void LawFamily::orderByRate(std::size_t channel, const std::vector<LawInput>& in
 void LawFamily::makeTerms(const Group& group, const std::vector<LawInput>& inputs) {
   terms_.clear();
   plain_.clear();
-  const bool hunt_crossley = group.model == "hunt_crossley";
-  const bool kelvin_voigt = group.model == "kelvin_voigt";
+  const ForceLawEntry& law = *group.law;
+  const bool damped = law.find(CoefficientRole::damping) != nullptr;
+  // A damper of its own acts where there is no deformation yet.
+  const bool acts_at_zero = damped && !law.damping_grows_with_elastic;
   for (const std::size_t i : order_) {
     const LawInput& input = inputs[i];
-    const double x_m = input.deformation_m, rate_m_s = hunt_crossley || kelvin_voigt ? input.rate_m_s : 0;
+    const double x_m = input.deformation_m, rate_m_s = damped ? input.rate_m_s : 0;
     const bool usual = input.direction.allFinite() && (!group.per_area || isOrdinary(input.area_m2));
-    if (usual && (kelvin_voigt ? x_m < 0 : x_m <= 0)) continue;  // as the law has it
-    const double a = hunt_crossley ? std::pow(x_m, group.n) : x_m;
-    if (!usual || a == 0 || !isOrdinary(a) || !isOrdinary(rate_m_s)) {
+    if (usual && (acts_at_zero ? x_m < 0 : x_m <= 0)) continue;  // as the law has it
+    const LawTerms terms = law.terms(group.coefficients, x_m, rate_m_s);
+    if (!usual || terms.elastic == 0 || !isOrdinary(terms.elastic) || !isOrdinary(rate_m_s))
       plain_.push_back(i);
-    } else if (kelvin_voigt) {
-      terms_.push_back({rate_m_s / x_m, x_m, rate_m_s, i});
-    } else {
-      terms_.push_back({rate_m_s, a, a * rate_m_s, i});
-    }
+    else
+      terms_.push_back({terms.damping_over_elastic, terms.elastic, terms.damping, i});
   }
   const auto before = [](const Term& a, const Term& b) { return a.ratio < b.ratio; };
   if (!std::is_sorted(terms_.begin(), terms_.end(), before)) std::sort(terms_.begin(), terms_.end(), before);
@@ -126,7 +126,7 @@ void LawFamily::makeTails(const Group& group, const std::vector<LawInput>& input
 }
 
 void LawFamily::addPlainly(const Group& group, const Member& member, const LawInput& input, Sum& sum) const {
-  const LawForce force = laws_[member.law]->at(input.deformation_m, input.rate_m_s);
+  const LawForce force = laws_[member.law].at(input.deformation_m, input.rate_m_s);
   const double area = group.per_area ? input.area_m2 : 1;
   sum.value.elastic_N += area * force.elastic_N;
   sum.value.viscous_N += area * force.viscous_N;

@@ -1,12 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <string>
 #include <vector>
 
 #include "base/state.h"
-#include "contact/force_law.h"
+#include "law/force_law.h"
 #include "scenario/forces.h"
 #include "scenario/pipelines.h"
 
@@ -21,7 +19,7 @@ struct LawValue {
 };
 
 /// Many force laws over the same simulation, ten thousand for the price of a few. Every law is k A + c B over
-/// the triangles, A and B its two terms at coefficients of one (Hunt-Crossley: x^n and x^n x'), and a
+/// the triangles, A and B its two terms (LawTerms; Hunt-Crossley: x^n and x^n x'), and a
 /// triangle would pull where B / A < -k / c. Laws that share A and B therefore share the triangles in the
 /// order of B / A and the sums of A and B over their tails: a law costs a place in that order and one sum.
 /// What rounding could decide, and what is extreme or no number, goes through ForceLaw triangle by triangle:
@@ -29,7 +27,7 @@ struct LawValue {
 class LawFamily {
  public:
   /// Each law takes the inputs of the first scenario law with the same deformation and rate. Throws
-  /// InputError where there is none, std::invalid_argument for an unknown model.
+  /// InputError where there is none.
   LawFamily(const std::vector<ForceSettings>& laws, const std::vector<ForceSettings>& scenario_laws);
 
   /// `inputs` of one step: triangle x number of scenario laws + law, as State::law_inputs has them. Throws
@@ -48,8 +46,8 @@ class LawFamily {
   };
   /// Laws that share A and B.
   struct Group {
-    std::string model;
-    double n = 1;
+    const ForceLawEntry* law = nullptr;
+    LawCoefficients coefficients;  ///< of one of them: its shape is that of all
     bool per_area = false;
     std::size_t channel = 0;      ///< the scenario law whose inputs they see
     std::vector<Member> members;  ///< by threshold, ascending
@@ -77,7 +75,7 @@ class LawFamily {
   void evaluate(const Group& group, const std::vector<LawInput>& inputs);
 
   std::size_t scenario_laws_;
-  std::vector<std::unique_ptr<ForceLaw>> laws_;
+  std::vector<ForceLaw> laws_;
   std::vector<Group> groups_;  ///< those of one channel side by side
   std::vector<LawValue> values_;
   std::vector<std::size_t> order_;  ///< inputs of one channel by rate, NaN last

@@ -12,10 +12,7 @@ std::vector<ForceSettings> flat(const std::vector<std::vector<ForceSettings>>& r
   for (const std::vector<ForceSettings>& row : rows) {
     for (std::size_t i = 0; i < scenario_laws.size(); ++i) {
       ForceSettings& law = laws.emplace_back(scenario_laws[i]);
-      law.k = row[i].k;
-      law.lambda = row[i].lambda;
-      law.n = row[i].n;
-      law.c = row[i].c;
+      law.coefficients = row[i].coefficients;
     }
   }
   return laws;

@@ -29,7 +29,7 @@ std::string aboutAxes(std::string message);
 /// The order as text, for a file.
 std::string orderText(const TaskOrder& order);
 
-/// Of each law of an order that was read only k, lambda, n and c mean something. Throws InputError.
+/// Of each law of an order that was read only the coefficients mean something. Throws InputError.
 TaskOrder parseOrder(const std::string& text);
 
 }  // namespace fissure

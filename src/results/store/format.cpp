@@ -20,30 +20,20 @@ void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunSt
 
 void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws) {
   for (const ForceSettings& law : laws) {
-    const auto set = [&](const char* name, const auto& value) {
+    const auto set = [&](const std::string& name, const auto& value) {
       h5::setAttribute(force, law.name + "_" + name, value);
     };
-    const auto setUnits = [&](const char* name, const char* plain, const char* per_area) {
-      set(name, std::string(law.per_area ? per_area : plain));
-    };
-    set("model", law.model);
-    set("deformation", law.deformation);
+    const ForceLawEntry& entry = entryOf(law.model);
+    set("model", std::string(entry.name));
+    set("deformation", nameIn(catalog().deformations, law.deformation));
     set("per_area", std::string(law.per_area ? "true" : "false"));
-    set("k", law.k);
-    if (law.model == "hunt_crossley") {
-      setUnits("k_units", "newton per metre to the power n", "newton per metre to the power n + 2");
-      set("lambda", law.lambda);
-      setUnits("lambda_units", "newton second per metre to the power n + 1",
-               "newton second per metre to the power n + 3");
-      set("n", law.n);
-    } else {
-      setUnits("k_units", "newton per metre", "newton per cubic metre");
+    for (const LawCoefficient& coefficient : entry.coefficients) {
+      const std::string name(coefficient.name);
+      set(name, law.coefficients.*coefficient.member);
+      const std::string units(law.per_area ? coefficient.units_per_area : coefficient.units);
+      if (!units.empty()) set(name + "_units", units);
     }
-    if (law.model == "kelvin_voigt") {
-      set("c", law.c);
-      setUnits("c_units", "newton second per metre", "newton second per cubic metre");
-    }
-    if (law.model != "linear_elastic") set("rate", law.rate);
+    if (entry.find(CoefficientRole::damping)) set("rate", nameIn(catalog().rates, law.rate));
   }
 }
 

@@ -5,20 +5,9 @@
 #include "base/scene.h"
 #include "base/state.h"
 #include "contact/rigid_fit.h"
+#include "law/deformation.h"
 
 namespace fissure {
-
-/// What a triangle's centroid is compared with (METHOD: force).
-enum class DeformationKind {
-  paper,      ///< with its place at rest: contains the motion of the body as a whole
-  corotated,  ///< with its place at rest moved by the body's best-fit rigid motion
-};
-
-/// Where x' comes from.
-enum class RateSource {
-  differences,  ///< the centroid's way since the last step, over dt
-  velocities,   ///< the engine's vertex velocities
-};
 
 /// u, the displacement of every triangle's centroid from rest, by one kind of deformation, and its rate u'.
 /// Corotated vectors are in the frame of the body at rest, so that turning as a whole is no rate either.

@@ -124,7 +124,7 @@ void TriangleForces::measure(std::size_t triangle, const State& state) {
 void TriangleForces::addForce(std::size_t law, std::size_t triangle, State& state) const {
   const Measured& measured = measured_[index(laws_[law].deformation)];
   const double rate_m_s = measured.rates_m_s[index(laws_[law].rate)];
-  const LawForce force = laws_[law].law->at(measured.deformation_m, rate_m_s);
+  const LawForce force = laws_[law].law.at(measured.deformation_m, rate_m_s);
   const double area = laws_[law].per_area ? rest_areas_m2_[triangle] : 1;
   ForceSample& sum = state.forces[law];
   sum.elastic_N += area * force.elastic_N;

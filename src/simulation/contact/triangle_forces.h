@@ -1,19 +1,18 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <vector>
 
 #include "base/scene.h"
 #include "base/state.h"
 #include "contact/contact_patch.h"
-#include "contact/force_law.h"
 #include "contact/triangle_deformation.h"
+#include "law/force_law.h"
 
 namespace fissure {
 
 struct TriangleLaw {
-  std::unique_ptr<ForceLaw> law;
+  ForceLaw law;
   RateSource rate = RateSource::differences;
   DeformationKind deformation = DeformationKind::paper;
   bool per_area = false;  ///< the law gives a pressure: times the triangle's area at rest

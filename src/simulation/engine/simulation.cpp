@@ -45,13 +45,11 @@ namespace {
 
 std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
   std::vector<TriangleLaw> laws;
-  for (const ForceSettings& law : settings) {
-    laws.push_back(
-        {.law = makeForceLaw(law.model, {.k = law.k, .lambda = law.lambda, .n = law.n, .c = law.c}),
-         .rate = law.rate == "velocities" ? RateSource::velocities : RateSource::differences,
-         .deformation = law.deformation == "corotated" ? DeformationKind::corotated : DeformationKind::paper,
-         .per_area = law.per_area});
-  }
+  for (const ForceSettings& law : settings)
+    laws.push_back({.law = ForceLaw(law.model, law.coefficients),
+                    .rate = law.rate,
+                    .deformation = law.deformation,
+                    .per_area = law.per_area});
   return laws;
 }
 

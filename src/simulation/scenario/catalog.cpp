@@ -1,6 +1,18 @@
 #include "scenario/catalog.h"
 
+#include "law/force_law.h"
+
 namespace fissure {
+
+namespace {
+
+std::vector<CatalogEntry> forceLawEntries() {
+  std::vector<CatalogEntry> entries;
+  for (const ForceLawEntry& law : forceLaws()) entries.push_back({law.name, law.description});
+  return entries;
+}
+
+}  // namespace
 
 const Catalog& catalog() {
   static const Catalog tables{
@@ -16,9 +28,7 @@ const Catalog& catalog() {
            {"fukuhara", "the full method: node ray casting, infeasible pairs excluded, contacts as impulses"},
            {"prescribed",
             "reference without contact detection: tissue vertices that a box tool reaches stick to it"}},
-      .force_laws = {{"hunt_crossley", "F = k x^n + lambda x^n x', never pulling (Hunt and Crossley 1975)"},
-                     {"kelvin_voigt", "F = k x + c x', a spring and a damper side by side, never pulling"},
-                     {"linear_elastic", "F = k x, the default model that the paper replaced"}},
+      .force_laws = forceLawEntries(),
       .tissues =
           {{"pig_liver_1", "k 6.08e5, n 2.40, F0 0.029 N to 2 mm: pig liver, region 1 (221 probes)"},
            {"pig_liver_2", "k 1.90e7, n 2.95, F0 0.060 N to 3 mm: second pig liver, region 2 (77 probes)"},

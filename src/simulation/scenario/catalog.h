@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -39,5 +41,11 @@ struct Catalog {
 };
 
 const Catalog& catalog();
+
+/// The name of an enum's value in the table of its names.
+template <class Enum>
+std::string nameIn(const std::vector<CatalogEntry>& table, Enum value) {
+  return std::string(table.at(static_cast<std::size_t>(value)).name);
+}
 
 }  // namespace fissure

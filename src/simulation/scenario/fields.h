@@ -87,20 +87,24 @@ void describe(Io& io, ForceSettings& f) {
   io.requiredChoice("model", f.model, catalog().force_laws);
   io.choice("deformation", f.deformation, catalog().deformations);
   io.field("per_area", f.per_area);
-  const auto coefficient = [&](bool applies, const char* when, const char* key, double& value) {
-    if (applies && f.per_area) return io.required(key, value);  // a default in other units would mean nothing
-    io.fieldIf(applies, when, key, value);
-  };
-  const bool hunt_crossley = f.model == "hunt_crossley", kelvin_voigt = f.model == "kelvin_voigt";
-  io.choiceIf(hunt_crossley && !f.per_area, "model hunt_crossley without per_area", "tissue", f.tissue,
-              catalog().tissues);
-  io.whileReading([&] { applyTissue(f); });
-  coefficient(true, "", "k", f.k);
-  coefficient(hunt_crossley, "model hunt_crossley", "lambda", f.lambda);
-  io.fieldIf(hunt_crossley, "model hunt_crossley", "n", f.n);
-  coefficient(kelvin_voigt, "model kelvin_voigt", "c", f.c);
-  io.choiceIf(hunt_crossley || kelvin_voigt, "models hunt_crossley and kelvin_voigt", "rate", f.rate,
-              catalog().rates);
+  io.choiceIf(f.model == ForceModel::hunt_crossley && !f.per_area, "model hunt_crossley without per_area",
+              "tissue", f.tissue, catalog().tissues);
+  const ForceLawEntry& law = entryOf(f.model);
+  io.whileReading([&] {
+    f.coefficients = law.defaults();
+    applyTissue(f);
+  });
+  for (const LawCoefficient& of : allCoefficients()) {
+    const LawCoefficient* own = law.find(of.name);
+    double& value = f.coefficients.*of.member;
+    const std::string key(of.name);
+    if (own && own->role != CoefficientRole::shape && f.per_area)
+      io.required(key.c_str(), value);  // a default in other units would mean nothing
+    else
+      io.fieldIf(own != nullptr, modelsWith(of.name).c_str(), key.c_str(), value);
+  }
+  io.choiceIf(law.find(CoefficientRole::damping) != nullptr, modelsWith(CoefficientRole::damping).c_str(),
+              "rate", f.rate, catalog().rates);
 }
 
 template <class Io>

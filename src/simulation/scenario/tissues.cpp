@@ -17,9 +17,9 @@ void applyTissue(ForceSettings& law) {
   const auto found = std::find_if(tissues().begin(), tissues().end(),
                                   [&](const Tissue& tissue) { return tissue.name == *law.tissue; });
   if (found == tissues().end()) return;
-  law.k = found->k;
-  law.n = found->n;
-  law.lambda = assumed_lambda_over_k_s_m * found->k;
+  law.coefficients.k = found->k;
+  law.coefficients.n = found->n;
+  law.coefficients.lambda = assumed_lambda_over_k_s_m * found->k;
 }
 
 }  // namespace fissure

@@ -41,16 +41,16 @@ void checkPipeline(Checker check, const PipelineSettings& pipeline) {
 }
 
 void checkForce(Checker check, const ForceSettings& force) {
-  check.oneOf("model", force.model, catalog().force_laws);
-  check.notNegative("k", force.k);
-  check.notNegative("lambda", force.lambda);
-  check.positive("n", force.n);
-  check.oneOf("rate", force.rate, catalog().rates);
-  check.notNegative("c", force.c);
-  check.oneOf("deformation", force.deformation, catalog().deformations);
+  for (const LawCoefficient& coefficient : entryOf(force.model).coefficients) {
+    const double value = force.coefficients.*coefficient.member;
+    if (coefficient.role == CoefficientRole::shape)
+      check.positive(std::string(coefficient.name), value);
+    else
+      check.notNegative(std::string(coefficient.name), value);
+  }
   if (!force.tissue) return;
   check.oneOf("tissue", *force.tissue, catalog().tissues);
-  check.require(force.model == "hunt_crossley" && !force.per_area, "tissue",
+  check.require(force.model == ForceModel::hunt_crossley && !force.per_area, "tissue",
                 "is given, expected it only for model hunt_crossley without per_area");
 }
 

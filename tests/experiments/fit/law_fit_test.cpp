@@ -14,7 +14,7 @@ namespace fissure::law_fit_test {
 
 namespace {
 
-constexpr LawValues kLiver{.k = 6.08e5, .lambda = 3.04e5, .n = 2.4, .F0_N = 0.029};
+constexpr FitValues kLiver{.coefficients = {.k = 6.08e5, .lambda = 3.04e5, .n = 2.4}, .F0_N = 0.029};
 
 /// Presses of a probe: `points` at even steps of time, a half sine of one depth after the other. Without
 /// forces.
@@ -35,12 +35,13 @@ MeasuredCurve presses(std::size_t points, const std::vector<double>& depths_m, d
   return curve;
 }
 
-void setForces(const LawValues& law, MeasuredCurve& curve, FitLaw kind = FitLaw::hunt_crossley) {
+void setForces(const FitValues& law, MeasuredCurve& curve, ForceModel kind = ForceModel::hunt_crossley) {
   makeProbeModel(kind, curve)->evaluate(law, curve.force_N);
   for (double& force_N : curve.force_N) force_N += law.F0_N;
 }
 
-LawFit fitted(const MeasuredCurve& curve, const FitSettings& settings, FitLaw kind = FitLaw::hunt_crossley) {
+LawFit fitted(const MeasuredCurve& curve, const FitSettings& settings,
+              ForceModel kind = ForceModel::hunt_crossley) {
   return fitLaw(*makeProbeModel(kind, curve), curve.force_N, curve.weights, settings);
 }
 
@@ -60,34 +61,50 @@ TEST(LawFit, FindsTheExactCoefficientsOfEveryLaw) {
   setForces(kLiver, curve);
   LawFit fit = fitted(curve, kAllFree);
   EXPECT_TRUE(fit.converged);
-  EXPECT_NEAR(fit.law().k, kLiver.k, 1e-5 * kLiver.k);
-  EXPECT_NEAR(fit.law().lambda, kLiver.lambda, 1e-5 * kLiver.lambda);
-  EXPECT_NEAR(fit.law().n, kLiver.n, 1e-6);
+  EXPECT_NEAR(fit.law().coefficients.k, kLiver.coefficients.k, 1e-5 * kLiver.coefficients.k);
+  EXPECT_NEAR(fit.law().coefficients.lambda, kLiver.coefficients.lambda, 1e-5 * kLiver.coefficients.lambda);
+  EXPECT_NEAR(fit.law().coefficients.n, kLiver.coefficients.n, 1e-6);
   EXPECT_NEAR(fit.law().F0_N, kLiver.F0_N, 1e-8);
   EXPECT_NEAR(fit.r_squared, 1, 1e-9);
+}
 
-  const LawValues voigt{.k = 150, .lambda = 3, .n = 1, .F0_N = -0.01};
-  setForces(voigt, curve, FitLaw::kelvin_voigt);
-  fit = fitted(curve, {{}, {true, true, false, true}}, FitLaw::kelvin_voigt);
-  EXPECT_NEAR(fit.law().k, 150, 1e-3);
-  EXPECT_NEAR(fit.law().lambda, 3, 1e-5);
-  EXPECT_NEAR(fit.law().F0_N, -0.01, 1e-7);
+// Every law of the table: what is forgotten in a fit shows here.
+TEST(LawFit, FindsTheDefaultsOfEveryLawInTheTable) {
+  for (std::size_t i = 0; i < forceLaws().size(); ++i) {
+    const auto model = static_cast<ForceModel>(i);
+    SCOPED_TRACE(forceLaws()[i].name);
+    const FitValues truth{.coefficients = forceLaws()[i].defaults(), .F0_N = -0.01};
+    MeasuredCurve curve = presses(60, {0.004, 0.012}, 0.1);
+    setForces(truth, curve, model);
+    FitSettings settings;
+    for (const FitParameter parameter : kFitParameters)
+      settings.free[index(parameter)] = hasParameter(model, parameter);
+    const LawFit fit = fitted(curve, settings, model);
+    EXPECT_TRUE(fit.converged);
+    for (const FitParameter parameter : kFitParameters) {
+      if (!hasParameter(model, parameter)) continue;
+      const double expected = valueOf(model, truth, parameter);
+      EXPECT_NEAR(valueOf(model, fit.law(), parameter), expected, 1e-4 * std::abs(expected))
+          << nameOf(model, parameter);
+      EXPECT_TRUE(fit.of(parameter).free) << nameOf(model, parameter) << fit.of(parameter).problem;
+    }
+  }
 }
 
 TEST(LawFit, OfAStraightLineIsLinearRegression) {
   // By hand: slope 1.99, offset 0.05, residuals 0.06, -0.13, 0.08, -0.01, 0 (depths of metres: only the
   // numbers matter).
   const MeasuredCurve curve = curveOf({1, 2, 3, 4, 5}, {2.1, 3.9, 6.1, 8.0, 10.0});
-  const LawFit fit = fitted(curve, {{}, {true, false, false, true}}, FitLaw::linear_elastic);
-  EXPECT_NEAR(fit.law().k, 1.99, 1e-8);
+  const LawFit fit = fitted(curve, {{}, {true, false, false, true}}, ForceModel::linear_elastic);
+  EXPECT_NEAR(fit.law().coefficients.k, 1.99, 1e-8);
   EXPECT_NEAR(fit.law().F0_N, 0.05, 1e-7);
   const double s2 = (0.06 * 0.06 + 0.13 * 0.13 + 0.08 * 0.08 + 0.01 * 0.01 + 0) / 3;
   EXPECT_NEAR(fit.rms_N, std::sqrt(s2 * 3 / 5), 1e-9);
-  const FittedValue& offset = fit.of(FitParameter::F0);
+  const FittedValue& offset = fit.of(FitParameter::offset);
   EXPECT_NEAR(offset.standard_error, std::sqrt(s2 * (1.0 / 5 + 9.0 / 10)), 1e-6);
   EXPECT_NEAR(offset.high - offset.value, 3.182446 * offset.standard_error, 1e-5);
   EXPECT_FALSE(offset.profiled);
-  EXPECT_NEAR(fit.of(FitParameter::k).standard_error, std::sqrt(s2 / 10), 1e-6);
+  EXPECT_NEAR(fit.of(FitParameter::elastic).standard_error, std::sqrt(s2 / 10), 1e-6);
 }
 
 TEST(LawFit, FindsTheExponentOfTheFirstLiverRegion) {
@@ -96,7 +113,7 @@ TEST(LawFit, FindsTheExponentOfTheFirstLiverRegion) {
   const MeasuredCurve curve = curveOf({0.0005, 0.001, 0.0015, 0.002}, {0.039, 0.071, 0.127, 0.235});
   const LawFit fit = fitted(curve, kQuasiStatic);
   EXPECT_TRUE(fit.converged);
-  EXPECT_NEAR(fit.law().n, 2.40, 0.3);
+  EXPECT_NEAR(fit.law().coefficients.n, 2.40, 0.3);
   EXPECT_NEAR(fit.law().F0_N, 0.029, 0.01);
   EXPECT_GT(fit.r_squared, 0.997);
 }
@@ -107,21 +124,21 @@ TEST(LawFit, IntervalsCoverTheTruthAsOftenAsTheySay) {
   const std::vector<double> exact_N = curve.force_N;
   boost::random::mt19937_64 random(7);
   boost::random::normal_distribution<double> noise_N(0, 0.01);
-  std::array<int, kFitParameters> covered{};
+  std::array<int, kFitParameters.size()> covered{};
   constexpr int curves = 200;
   for (int i = 0; i < curves; ++i) {
     for (std::size_t p = 0; p < exact_N.size(); ++p) curve.force_N[p] = exact_N[p] + noise_N(random);
     const LawFit fit = fitted(curve, kAllFree);
     ASSERT_TRUE(fit.converged);
-    for (std::size_t p = 0; p < kFitParameters; ++p) {
-      const double truth = valueOf(kLiver, static_cast<FitParameter>(p));
+    for (std::size_t p = 0; p < kFitParameters.size(); ++p) {
+      const double truth = valueOf(ForceModel::hunt_crossley, kLiver, static_cast<FitParameter>(p));
       if (fit.values[p].free && fit.values[p].low <= truth && truth <= fit.values[p].high) ++covered[p];
     }
   }
-  for (std::size_t p = 0; p < kFitParameters; ++p) {
-    RecordProperty(nameOf(static_cast<FitParameter>(p)), covered[p]);
-    EXPECT_GE(covered[p], 0.90 * curves) << nameOf(static_cast<FitParameter>(p));
-    EXPECT_LE(covered[p], 0.99 * curves) << nameOf(static_cast<FitParameter>(p));
+  for (std::size_t p = 0; p < kFitParameters.size(); ++p) {
+    RecordProperty(nameOf(ForceModel::hunt_crossley, static_cast<FitParameter>(p)), covered[p]);
+    EXPECT_GE(covered[p], 0.90 * curves) << nameOf(ForceModel::hunt_crossley, static_cast<FitParameter>(p));
+    EXPECT_LE(covered[p], 0.99 * curves) << nameOf(ForceModel::hunt_crossley, static_cast<FitParameter>(p));
   }
 }
 
@@ -133,11 +150,11 @@ TEST(LawFit, ProfiledIntervalsEndWhereTheRestCannotMakeUpForTheChange) {
   boost::random::normal_distribution<double> noise_N(0, 0.01);
   for (double& force_N : curve.force_N) force_N += noise_N(random);
   const LawFit fit = fitted(curve, kAllFree);
-  const FittedValue& lambda = fit.of(FitParameter::lambda);
+  const FittedValue& lambda = fit.of(FitParameter::damping);
   ASSERT_TRUE(lambda.profiled);
   const double squares_N2 = 40 * fit.rms_N * fit.rms_N;
   for (const double end : {lambda.low, lambda.high}) {
-    const LawFit there = fitted(curve, {{.lambda = end}, {true, false, true, true}});
+    const LawFit there = fitted(curve, {{.coefficients = {.lambda = end}}, {true, false, true, true}});
     const double growth_N2 = 40 * there.rms_N * there.rms_N - squares_N2;
     EXPECT_NEAR(std::sqrt(growth_N2 / (squares_N2 / 36)), 2.02809, 0.005);
   }
@@ -153,8 +170,8 @@ TEST(LawFit, AnExponentBeyondWhatIsSearchedIsFixedAtTheLimit) {
     force_N.push_back(std::pow(i / 12.0, 15));
   }
   const LawFit fit = fitted(curveOf(depth_m, force_N), kQuasiStatic);
-  EXPECT_EQ(fit.law().n, 8);
-  EXPECT_FALSE(fit.of(FitParameter::n).free);
+  EXPECT_EQ(fit.law().coefficients.n, 8);
+  EXPECT_FALSE(fit.of(FitParameter::shape).free);
   ASSERT_FALSE(fit.notes.empty());
   EXPECT_EQ(
       fit.notes[0],
@@ -170,14 +187,14 @@ TEST(LawFit, SaysWhenLambdaCannotBeIdentifiedAndStillFindsTheExponent) {
   boost::random::normal_distribution<double> noise_N(0, 0.005);
   for (double& force_N : curve.force_N) force_N += noise_N(random);
   const LawFit fit = fitted(curve, kAllFree);
-  EXPECT_FALSE(fit.of(FitParameter::lambda).free);
+  EXPECT_FALSE(fit.of(FitParameter::damping).free);
   ASSERT_EQ(fit.notes.size(), 1u);
   EXPECT_TRUE(
       fit.notes[0].starts_with("lambda cannot be identified from this data: the 95 % interval of lambda/k, "))
       << fit.notes[0];
-  EXPECT_NEAR(fit.law().n, 2.4, 0.1);
-  EXPECT_LT(fit.of(FitParameter::n).low, 2.4);
-  EXPECT_GT(fit.of(FitParameter::n).high, 2.4);
+  EXPECT_NEAR(fit.law().coefficients.n, 2.4, 0.1);
+  EXPECT_LT(fit.of(FitParameter::shape).low, 2.4);
+  EXPECT_GT(fit.of(FitParameter::shape).high, 2.4);
 }
 
 std::string refusal(const std::vector<double>& depth_m, const std::vector<double>& force_N,
@@ -202,7 +219,8 @@ TEST(LawFit, RefusesInOneLineWhatCannotBeFitted) {
   EXPECT_TRUE(refusal({0.001, 0.001, 0.001, 0.001, 0.001}, {1, 2, 3, 4, 5})
                   .starts_with("the data does not determine k, n, F0 (singular value ratio "));
   EXPECT_EQ(
-      refusal({0.001, 0.002, 0.003}, {1, 2, 3}, {{.k = 1000, .n = 1}, {false, true, false, false}}),
+      refusal({0.001, 0.002, 0.003}, {1, 2, 3},
+              {{.coefficients = {.k = 1000, .n = 1}}, {false, true, false, false}}),
       "lambda cannot be identified from this data: there is no rate of the depth in it; it is fixed at 0, "
       "and nothing else is free, expected another coefficient to fit");
   EXPECT_EQ(refusal({0.001, 0.002}, {1, 2}, {}), "nothing is free, expected a coefficient to fit");
@@ -213,24 +231,25 @@ TEST(LawFit, RepeatedPointsAndPointsAtTheSurfaceAreDataLikeAllOthers) {
                             force_N = {0.02, 0.11, 0.13, 0.40, 0.38, 0.92};
   const LawFit fit = fitted(curveOf(depth_m, force_N), kQuasiStatic);
   EXPECT_NEAR(fit.law().F0_N, 0.02, 0.03);
-  EXPECT_NEAR(fit.law().n, 2, 0.3);
+  EXPECT_NEAR(fit.law().coefficients.n, 2, 0.3);
   // A weight of 2 counts as a point that is there twice.
   MeasuredCurve curve = curveOf({0, 0.001, 0.002, 0.003, 0.004}, {0.02, 0.12, 0.39, 0.92, 1.5});
   const LawFit twice = fitted(
       curveOf({0, 0.001, 0.002, 0.003, 0.003, 0.004}, {0.02, 0.12, 0.39, 0.92, 0.92, 1.5}), kQuasiStatic);
   curve.weights[3] = 2;
-  EXPECT_NEAR(fitted(curve, kQuasiStatic).law().n, twice.law().n, 1e-6);
+  EXPECT_NEAR(fitted(curve, kQuasiStatic).law().coefficients.n, twice.law().coefficients.n, 1e-6);
 }
 
 TEST(LawFit, FixedCoefficientsStay) {
   MeasuredCurve curve = presses(40, {0.003}, 0.1);
   setForces(kLiver, curve);
   const LawFit fit = fitted(
-      curve, {{.k = 1, .lambda = kLiver.lambda, .n = 2.4, .F0_N = kLiver.F0_N}, {true, false, false, false}});
-  EXPECT_NEAR(fit.law().k, kLiver.k, 1e-5 * kLiver.k);
-  EXPECT_EQ(fit.law().n, 2.4);
-  EXPECT_FALSE(fit.of(FitParameter::n).free);
-  EXPECT_TRUE(std::isnan(fit.of(FitParameter::n).low));
+      curve, {{.coefficients = {.k = 1, .lambda = kLiver.coefficients.lambda, .n = 2.4}, .F0_N = kLiver.F0_N},
+              {true, false, false, false}});
+  EXPECT_NEAR(fit.law().coefficients.k, kLiver.coefficients.k, 1e-5 * kLiver.coefficients.k);
+  EXPECT_EQ(fit.law().coefficients.n, 2.4);
+  EXPECT_FALSE(fit.of(FitParameter::shape).free);
+  EXPECT_TRUE(std::isnan(fit.of(FitParameter::shape).low));
 }
 
 TEST(LawFit, SaysWhyLambdaCannotBeIdentified) {
@@ -257,8 +276,9 @@ TEST(LawFit, SaysWhyLambdaCannotBeIdentified) {
   EXPECT_TRUE(
       fit.notes[0].starts_with("lambda cannot be identified from this data: k and lambda do the same"))
       << fit.notes[0];
-  EXPECT_NEAR(fit.law().n, 2.4, 0.05);
-  EXPECT_NEAR(fit.law().k, kLiver.k + kLiver.lambda * 0.015, 0.2 * kLiver.k);
+  EXPECT_NEAR(fit.law().coefficients.n, 2.4, 0.05);
+  EXPECT_NEAR(fit.law().coefficients.k, kLiver.coefficients.k + kLiver.coefficients.lambda * 0.015,
+              0.2 * kLiver.coefficients.k);
 }
 
 /// The curve as a sensor with noise sees it: its depths, and the rates that come of them.
@@ -284,15 +304,15 @@ TEST(LawFit, NoiseOfTheDepthsIsNotTakenForRates) {
   ramp.force_N.resize(1000);
   setForces(kLiver, ramp);
   const LawFit fit = fitted(withNoise(ramp, 1e-5, 0.002, 1), kAllFree);
-  EXPECT_FALSE(fit.of(FitParameter::lambda).free);
-  EXPECT_EQ(fit.law().lambda, 0);
-  EXPECT_TRUE(fit.of(FitParameter::lambda)
+  EXPECT_FALSE(fit.of(FitParameter::damping).free);
+  EXPECT_EQ(fit.law().coefficients.lambda, 0);
+  EXPECT_TRUE(fit.of(FitParameter::damping)
                   .problem.starts_with("noise of the depths makes too much of the rates (reliability 0"))
-      << fit.of(FitParameter::lambda).problem;
-  EXPECT_NEAR(fit.law().n, 2.4, 0.1);
+      << fit.of(FitParameter::damping).problem;
+  EXPECT_NEAR(fit.law().coefficients.n, 2.4, 0.1);
   const LawFit voigt =
-      fitted(withNoise(ramp, 1e-5, 0.002, 1), {{}, {true, true, false, true}}, FitLaw::kelvin_voigt);
-  EXPECT_FALSE(voigt.of(FitParameter::lambda).free);
+      fitted(withNoise(ramp, 1e-5, 0.002, 1), {{}, {true, true, false, true}}, ForceModel::kelvin_voigt);
+  EXPECT_FALSE(voigt.of(FitParameter::damping).free);
 }
 
 TEST(LawFit, SmallNoiseOfTheDepthsLeavesTheTruthInTheIntervals) {
@@ -300,10 +320,11 @@ TEST(LawFit, SmallNoiseOfTheDepthsLeavesTheTruthInTheIntervals) {
   setForces(kLiver, curve);
   for (const int seed : {1, 2, 3}) {
     const LawFit fit = fitted(withNoise(curve, 1e-6, 0.005, seed), kAllFree);
-    for (std::size_t p = 0; p < kFitParameters; ++p) {
-      const double truth = valueOf(kLiver, static_cast<FitParameter>(p));
+    for (std::size_t p = 0; p < kFitParameters.size(); ++p) {
+      const double truth = valueOf(ForceModel::hunt_crossley, kLiver, static_cast<FitParameter>(p));
       EXPECT_TRUE(fit.values[p].free && fit.values[p].low <= truth && truth <= fit.values[p].high)
-          << nameOf(static_cast<FitParameter>(p)) << " " << seed << fit.values[p].problem;
+          << nameOf(ForceModel::hunt_crossley, static_cast<FitParameter>(p)) << " " << seed
+          << fit.values[p].problem;
     }
   }
 }
@@ -315,7 +336,7 @@ TEST(LawFit, SaysWhenLambdaIsNegative) {
   MeasuredCurve late = curve;
   for (std::size_t i = 0; i < 90; ++i) late.force_N[i] = curve.force_N[i < 2 ? 0 : i - 2];
   const LawFit fit = fitted(late, kAllFree);
-  EXPECT_LT(fit.law().lambda, 0);
+  EXPECT_LT(fit.law().coefficients.lambda, 0);
   ASSERT_FALSE(fit.notes.empty());
   EXPECT_EQ(fit.notes[0],
             "lambda is negative, which is unphysical: are force and depth recorded at one time?");
@@ -325,8 +346,8 @@ TEST(LawFit, SaysWhenTheForceHardlyChangesWithTheDepth) {
   const LawFit fit = fitted(
       curveOf({0.001, 0.002, 0.003, 0.004, 0.005, 0.006, 0.007}, {0.50, 0.52, 0.49, 0.51, 0.50, 0.49, 0.515}),
       kQuasiStatic);
-  EXPECT_NE(fit.of(FitParameter::k).problem, "");
-  EXPECT_NE(fit.of(FitParameter::n).problem, "");
+  EXPECT_NE(fit.of(FitParameter::elastic).problem, "");
+  EXPECT_NE(fit.of(FitParameter::shape).problem, "");
 }
 
 TEST(LawFit, AsksForAConstantForceOnlyWhereItIsAmongTheFits) {
@@ -334,11 +355,11 @@ TEST(LawFit, AsksForAConstantForceOnlyWhereItIsAmongTheFits) {
   const MeasuredCurve curve =
       curveOf({0.0028, 0.00285, 0.0029, 0.00295, 0.003, 0.00305, 0.0031, 0.00315, 0.0032},
               {0.284, 0.281, 0.309, 0.295, 0.290, 0.301, 0.306, 0.289, 0.298});
-  const LawFit fixed = fitted(curve, {{}, {true, false, false, false}}, FitLaw::linear_elastic);
-  EXPECT_EQ(fixed.of(FitParameter::k).problem, "");
-  EXPECT_NEAR(fixed.law().k, 98, 3);
-  const LawFit free = fitted(curve, {{}, {true, false, false, true}}, FitLaw::linear_elastic);
-  EXPECT_NE(free.of(FitParameter::k).problem, "");
+  const LawFit fixed = fitted(curve, {{}, {true, false, false, false}}, ForceModel::linear_elastic);
+  EXPECT_EQ(fixed.of(FitParameter::elastic).problem, "");
+  EXPECT_NEAR(fixed.law().coefficients.k, 98, 3);
+  const LawFit free = fitted(curve, {{}, {true, false, false, true}}, ForceModel::linear_elastic);
+  EXPECT_NE(free.of(FitParameter::elastic).problem, "");
 }
 
 TEST(LawFit, SaysWhenResidualsAreAlikeByMoreThanChance) {

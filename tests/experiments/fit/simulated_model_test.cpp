@@ -20,7 +20,8 @@ constexpr std::size_t kSteps = 101;
 /// come out again, all along x; contact begins with step 10. The way of the tool is the first one's depth.
 SimulatedRun press() {
   SimulatedRun run;
-  run.laws = {{.name = "linear", .model = "linear_elastic"}, {.name = "hc", .model = "hunt_crossley"}};
+  run.laws = {{.name = "linear", .model = ForceModel::linear_elastic},
+              {.name = "hc", .model = ForceModel::hunt_crossley}};
   run.inputs.laws = {"linear", "hc"};
   for (std::size_t step = 0; step < kSteps; ++step) {
     const double time_s = 0.001 * static_cast<double>(step);
@@ -40,15 +41,16 @@ SimulatedRun press() {
 }
 
 /// The closed form of what Hunt-Crossley triangles of press() give at a depth of the first.
-double force_N(const LawValues& law, double depth_m, double rate_m_s) {
+double force_N(const FitValues& law, double depth_m, double rate_m_s) {
   double sum_N = 0;
   for (const double factor : {1.0, 2.0, 1.0})
-    sum_N += (law.k + law.lambda * factor * rate_m_s) * std::pow(factor * depth_m, law.n);
+    sum_N += (law.coefficients.k + law.coefficients.lambda * factor * rate_m_s) *
+             std::pow(factor * depth_m, law.coefficients.n);
   return sum_N;
 }
 
 /// Measured at each step from the third in contact on.
-MeasuredCurve measured(const SimulatedRun& run, const LawValues& law) {
+MeasuredCurve measured(const SimulatedRun& run, const FitValues& law) {
   MeasuredCurve curve;
   curve.name = "probe";
   for (std::size_t step = 12; step < kSteps; ++step) {
@@ -62,17 +64,18 @@ MeasuredCurve measured(const SimulatedRun& run, const LawValues& law) {
   return curve;
 }
 
-constexpr LawValues kLaw{.k = 5e4, .lambda = 2e4, .n = 1.8, .F0_N = 0.05};
+constexpr FitValues kLaw{.coefficients = {.k = 5e4, .lambda = 2e4, .n = 1.8}, .F0_N = 0.05};
 const FitSettings kAllFree{{}, {true, true, true, true}};
 
 TEST(SimulatedModel, FitsTheLawOfTheTrianglesToForcesOverTime) {
   const SimulatedRun run = press();
-  const SimulatedFit made = makeSimulatedFit(FitLaw::hunt_crossley, run, measured(run, kLaw), MatchBy::time);
+  const SimulatedFit made =
+      makeSimulatedFit(ForceModel::hunt_crossley, run, measured(run, kLaw), MatchBy::time);
   const LawFit fit = fitLaw(*made.model, made.curve.force_N, made.curve.weights, kAllFree);
   EXPECT_TRUE(fit.converged);
-  EXPECT_NEAR(fit.law().k, kLaw.k, 1e-4 * kLaw.k);
-  EXPECT_NEAR(fit.law().lambda, kLaw.lambda, 1e-4 * kLaw.lambda);
-  EXPECT_NEAR(fit.law().n, kLaw.n, 1e-5);
+  EXPECT_NEAR(fit.law().coefficients.k, kLaw.coefficients.k, 1e-4 * kLaw.coefficients.k);
+  EXPECT_NEAR(fit.law().coefficients.lambda, kLaw.coefficients.lambda, 1e-4 * kLaw.coefficients.lambda);
+  EXPECT_NEAR(fit.law().coefficients.n, kLaw.coefficients.n, 1e-5);
   EXPECT_NEAR(fit.law().F0_N, kLaw.F0_N, 1e-7);
   EXPECT_TRUE(made.curve.warnings.empty());
 }
@@ -81,14 +84,14 @@ TEST(SimulatedModel, MeetsMeasuredDepthsOnTheWayIn) {
   const SimulatedRun run = press();
   MeasuredCurve curve = measured(run, kLaw);
   curve.depth_m[3] = 0.003;  // deeper than the simulation gets
-  const SimulatedFit made = makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::depth);
+  const SimulatedFit made = makeSimulatedFit(ForceModel::hunt_crossley, run, curve, MatchBy::depth);
   ASSERT_EQ(made.curve.force_N.size(), curve.force_N.size() - 1);
   ASSERT_EQ(made.curve.warnings.size(), 2u);
   EXPECT_EQ(made.curve.warnings[0], "left out 1 of 89 points that the simulation does not reach");
   EXPECT_TRUE(made.curve.warnings[1].starts_with("43 of 88 points are shallower than one before them"))
       << made.curve.warnings[1];
   std::vector<double> forces_N(made.model->size());
-  made.model->evaluate({.k = kLaw.k, .lambda = kLaw.lambda, .n = kLaw.n}, forces_N);
+  made.model->evaluate({.coefficients = kLaw.coefficients}, forces_N);
   // The last point is on the way out, at a depth of nearly 0; the way in has a rate above 0 there.
   EXPECT_NEAR(forces_N[20], made.curve.force_N[20] - kLaw.F0_N, 1e-9);
   const std::size_t out = 70;
@@ -101,12 +104,12 @@ TEST(SimulatedModel, DepthsWithoutRatesSayNothingOfLambda) {
   const SimulatedRun run = press();
   MeasuredCurve curve = measured(run, kLaw);
   curve.time_s.clear();
-  const SimulatedFit made = makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::depth);
+  const SimulatedFit made = makeSimulatedFit(ForceModel::hunt_crossley, run, curve, MatchBy::depth);
   const LawFit fit = fitLaw(*made.model, made.curve.force_N, made.curve.weights, kAllFree);
-  EXPECT_EQ(fit.of(FitParameter::lambda).problem, "there is no rate of the depth in it; it is fixed at 0");
+  EXPECT_EQ(fit.of(FitParameter::damping).problem, "there is no rate of the depth in it; it is fixed at 0");
   EXPECT_EQ(made.rate_note, "");
   curve = measured(run, kLaw);
-  EXPECT_GT(makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::time).model->rateScale_m_s(), 0);
+  EXPECT_GT(makeSimulatedFit(ForceModel::hunt_crossley, run, curve, MatchBy::time).model->rateScale_m_s(), 0);
 }
 
 TEST(SimulatedModel, SaysWhereMeasuredAndSimulatedRatesDiffer) {
@@ -117,7 +120,7 @@ TEST(SimulatedModel, SaysWhereMeasuredAndSimulatedRatesDiffer) {
     for (double& time_s : slow.time_s) time_s *= slower;
     slow.rate_m_s = ratesOf(slow.time_s, slow.depth_m);
     slow.rate_noise_m_s.assign(slow.rate_m_s.size(), noise_m_s);
-    return makeSimulatedFit(FitLaw::hunt_crossley, run, slow, MatchBy::depth).rate_note;
+    return makeSimulatedFit(ForceModel::hunt_crossley, run, slow, MatchBy::depth).rate_note;
   };
   EXPECT_EQ(note(1, 0), "");
   EXPECT_EQ(note(1.8, 0), "");
@@ -132,16 +135,17 @@ TEST(SimulatedModel, InterpolatesBetweenSteps) {
   curve.time_s = {0.0305};
   curve.force_N = curve.weights = {1};
   std::vector<double> forces_N(1);
-  makeSimulatedFit(FitLaw::linear_elastic, run, curve, MatchBy::time).model->evaluate({.k = 2}, forces_N);
+  makeSimulatedFit(ForceModel::linear_elastic, run, curve, MatchBy::time)
+      .model->evaluate({.coefficients = {.k = 2}}, forces_N);
   EXPECT_NEAR(forces_N[0], 2 * 4 * (run.way_m[30] + run.way_m[31]) / 2, 1e-15);
 }
 
 TEST(SimulatedModel, TakesNegativeLambdasToo) {
   const SimulatedRun run = press();
-  const LawValues law{.k = 5e4, .lambda = -2e4, .n = 1.8};
+  const FitValues law{.coefficients = {.k = 5e4, .lambda = -2e4, .n = 1.8}};
   const MeasuredCurve curve = measured(run, law);
   std::vector<double> forces_N(curve.force_N.size());
-  makeSimulatedFit(FitLaw::hunt_crossley, run, curve, MatchBy::time).model->evaluate(law, forces_N);
+  makeSimulatedFit(ForceModel::hunt_crossley, run, curve, MatchBy::time).model->evaluate(law, forces_N);
   for (std::size_t i = 0; i < forces_N.size(); ++i) EXPECT_NEAR(forces_N[i], curve.force_N[i], 1e-12);
 }
 
@@ -150,7 +154,7 @@ TEST(SimulatedModel, RefusesWhatDoesNotMeet) {
   MeasuredCurve curve = measured(run, kLaw);
   const auto refusal = [&](MatchBy by, const SimulatedRun& in) -> std::string {
     try {
-      makeSimulatedFit(FitLaw::hunt_crossley, in, curve, by);
+      makeSimulatedFit(ForceModel::hunt_crossley, in, curve, by);
     } catch (const InputError& error) {
       return error.what();
     }

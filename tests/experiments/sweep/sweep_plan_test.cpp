@@ -65,8 +65,8 @@ TEST(SweepPlan, LawsShareTheirSimulation) {
     EXPECT_EQ(plan.lawsAt(task.laws[run.law]), plan.lawsAt(run.point));
     EXPECT_EQ(plan.manifest().points.value(task.point, 0), plan.manifest().points.value(run.point, 0));
   }
-  EXPECT_EQ(plan.lawsAt(11)[0].k, 3);
-  EXPECT_EQ(plan.lawsAt(11)[1].k, 20);
+  EXPECT_EQ(plan.lawsAt(11)[0].coefficients.k, 3);
+  EXPECT_EQ(plan.lawsAt(11)[1].coefficients.k, 20);
   const std::vector<Override> overrides = plan.overrides(plan.tasks().back());
   ASSERT_EQ(overrides.size(), 1u);  // the laws are evaluated beside the scenario's own
   EXPECT_EQ(overrides[0].path, "bodies.ball.mass_kg");

@@ -19,13 +19,19 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kRounding = 1e-12;
 
 ForceSettings huntCrossley(double k, double lambda, double n, bool per_area = false) {
-  return {.name = "hc", .model = "hunt_crossley", .k = k, .lambda = lambda, .n = n, .per_area = per_area};
+  return {.name = "hc",
+          .model = ForceModel::hunt_crossley,
+          .coefficients = {.k = k, .lambda = lambda, .n = n},
+          .per_area = per_area};
 }
 ForceSettings kelvinVoigt(double k, double c, bool per_area = false) {
-  return {.name = "kv", .model = "kelvin_voigt", .k = k, .c = c, .per_area = per_area};
+  return {.name = "kv",
+          .model = ForceModel::kelvin_voigt,
+          .coefficients = {.k = k, .c = c},
+          .per_area = per_area};
 }
 ForceSettings linearElastic(double k) {
-  return {.name = "le", .model = "linear_elastic", .k = k};
+  return {.name = "le", .model = ForceModel::linear_elastic, .coefficients = {.k = k}};
 }
 
 /// A law over all triangles one by one, as contact/triangle_forces does it. `..rounding_N`: what the last
@@ -37,11 +43,11 @@ struct PlainValue {
 };
 
 PlainValue plainly(const ForceSettings& law, const std::vector<LawInput>& inputs) {
-  const auto made = makeForceLaw(law.model, {.k = law.k, .lambda = law.lambda, .n = law.n, .c = law.c});
+  const ForceLaw made(law.model, law.coefficients);
   PlainValue plain;
   Vec3 sum_N = Vec3::Zero();
   for (const LawInput& input : inputs) {
-    const LawForce force = made->at(input.deformation_m, input.rate_m_s);
+    const LawForce force = made.at(input.deformation_m, input.rate_m_s);
     const double area = law.per_area ? input.area_m2 : 1;
     plain.value.elastic_N += area * force.elastic_N;
     plain.value.viscous_N += area * force.viscous_N;
@@ -70,8 +76,9 @@ void expectPlainValues(const std::vector<ForceSettings>& laws, const std::vector
     const LawValue& found = family.values()[i];
     const PlainValue plain = plainly(laws[i], inputs);
     const LawValue& value = plain.value;
-    const std::string law = laws[i].model + " k " + std::to_string(laws[i].k) + " lambda " +
-                            std::to_string(laws[i].lambda) + " n " + std::to_string(laws[i].n);
+    std::string law(entryOf(laws[i].model).name);
+    for (const LawCoefficient& of : entryOf(laws[i].model).coefficients)
+      law.append(" ").append(of.name).append(" ").append(std::to_string(laws[i].coefficients.*of.member));
     EXPECT_TRUE(agree(found.force_N, value.force_N, plain.rounding_N()))
         << law << ": " << found.force_N << " instead of " << value.force_N;
     EXPECT_TRUE(agree(found.elastic_N, value.elastic_N, plain.elastic_rounding_N))
@@ -95,8 +102,29 @@ std::vector<LawInput> randomInputs(int triangles, unsigned seed) {
   return inputs;
 }
 
-std::vector<ForceSettings> manyLaws() {
+/// Of every law of the table: its defaults, and each coefficient 0, small and large in turn.
+std::vector<ForceSettings> everyLaw() {
   std::vector<ForceSettings> laws;
+  for (std::size_t i = 0; i < forceLaws().size(); ++i) {
+    const ForceSettings law{.name = "law", .model = static_cast<ForceModel>(i)};
+    for (const bool per_area : {false, true}) {
+      laws.push_back(law);
+      laws.back().per_area = per_area;
+      for (const LawCoefficient& of : forceLaws()[i].coefficients) {
+        for (const double factor : {0.0, 1e-3, 3.0}) {
+          if (factor == 0 && of.role == CoefficientRole::shape) continue;
+          laws.push_back(law);
+          laws.back().per_area = per_area;
+          laws.back().coefficients.*of.member *= factor;
+        }
+      }
+    }
+  }
+  return laws;
+}
+
+std::vector<ForceSettings> manyLaws() {
+  std::vector<ForceSettings> laws = everyLaw();
   for (const double n : {1.0, 1.3, 2.5})
     for (const double k : {0.0, 1e-3, 200.0, 1e7})
       for (const double lambda : {0.0, 0.5, 50.0, 1e6}) {
@@ -205,8 +233,8 @@ TEST(LawFamily, OtherLawsAndTheirOrderDoNotMatter) {
 // Two laws of the scenario, of other kinds: each member sees what the one of its own kinds does.
 TEST(LawFamily, EachLawTakesTheInputsOfItsKinds) {
   ForceSettings corotated = huntCrossley(1, 1, 1);
-  corotated.deformation = "corotated";
-  corotated.rate = "velocities";
+  corotated.deformation = DeformationKind::corotated;
+  corotated.rate = RateSource::velocities;
   const std::vector<ForceSettings> scenario_laws = {linearElastic(1), corotated, corotated};
   const std::vector<LawInput> first = randomInputs(30, 1), second = randomInputs(30, 2);
   std::vector<LawInput> inputs;
@@ -216,15 +244,15 @@ TEST(LawFamily, EachLawTakesTheInputsOfItsKinds) {
     inputs.push_back({kNaN, kNaN, kNaN, Vec3::Zero()});
   }
   std::vector<ForceSettings> laws = {huntCrossley(200, 50, 1.3), huntCrossley(200, 50, 1.3)};
-  laws[1].deformation = "corotated";
-  laws[1].rate = "velocities";
+  laws[1].deformation = DeformationKind::corotated;
+  laws[1].rate = RateSource::velocities;
   LawFamily family(laws, scenario_laws);
   family.evaluate(inputs);
   const PlainValue of_first = plainly(laws[0], first), of_second = plainly(laws[1], second);
   EXPECT_NEAR(family.values()[0].force_N, of_first.value.force_N, of_first.rounding_N());
   EXPECT_NEAR(family.values()[1].force_N, of_second.value.force_N, of_second.rounding_N());
 
-  laws[1].rate = "differences";
+  laws[1].rate = RateSource::differences;
   try {
     LawFamily refused(laws, scenario_laws);
     FAIL();

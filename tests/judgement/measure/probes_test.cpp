@@ -29,7 +29,7 @@ class ProbesTest : public ::testing::Test {
   }
   void addLaws(const std::vector<std::string>& names) {
     for (const std::string& name : names)
-      scenario_.force.push_back({.name = name, .model = "linear_elastic"});
+      scenario_.force.push_back({.name = name, .model = ForceModel::linear_elastic});
     state_.forces.resize(names.size());
     state_.tool_forces_N.resize(names.size() * scene_.tools.size(), Vec3::Zero());
   }

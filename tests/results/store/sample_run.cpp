@@ -71,9 +71,11 @@ TemporaryFolder::~TemporaryFolder() {
 SampleRun makeSampleRun(std::size_t rows, bool with_pictures) {
   SampleRun run;
   run.scenario.name = "sample";
-  run.scenario.force = {
-      {.name = "hc", .model = "hunt_crossley"},
-      {.name = "linear", .model = "linear_elastic", .deformation = "corotated", .per_area = true}};
+  run.scenario.force = {{.name = "hc", .model = ForceModel::hunt_crossley},
+                        {.name = "linear",
+                         .model = ForceModel::linear_elastic,
+                         .deformation = DeformationKind::corotated,
+                         .per_area = true}};
   run.scenario.description = "A made-up run";
   run.scenario.time.step_s = 0.5;
   PipelineSettings fukuhara;

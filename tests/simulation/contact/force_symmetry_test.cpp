@@ -18,9 +18,10 @@ std::vector<TriangleLaw> allLaws() {
   for (const DeformationKind kind : {DeformationKind::paper, DeformationKind::corotated}) {
     for (const RateSource rate : {RateSource::differences, RateSource::velocities}) {
       for (const bool per_area : {false, true}) {
-        laws.push_back({makeHuntCrossley(200, 50, 1.3), rate, kind, per_area});
-        laws.push_back({makeKelvinVoigt(300, 2), rate, kind, per_area});
-        laws.push_back({makeLinearElastic(100), rate, kind, per_area});
+        laws.push_back(
+            {ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3}), rate, kind, per_area});
+        laws.push_back({ForceLaw(ForceModel::kelvin_voigt, {.k = 300, .c = 2}), rate, kind, per_area});
+        laws.push_back({ForceLaw(ForceModel::linear_elastic, {.k = 100}), rate, kind, per_area});
       }
     }
   }
@@ -184,8 +185,8 @@ TEST(ForceSymmetry, PerAreaDoesNotKnowHowFineTheTrianglesAre) {
     }
     std::vector<TriangleLaw> laws;
     for (const bool per_area : {false, true})
-      laws.push_back(
-          {makeHuntCrossley(200, 50, 1.3), RateSource::velocities, DeformationKind::paper, per_area});
+      laws.push_back({ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3}),
+                      RateSource::velocities, DeformationKind::paper, per_area});
     TriangleForces(scene, std::move(laws), 0.001).evaluate(patch, state);
     return std::pair(state.forces[0].force_on_tool_N.y(), state.forces[1].force_on_tool_N.y());
   };

@@ -12,7 +12,7 @@
 #include <fstream>
 #include <vector>
 
-#include "contact/force_law.h"
+#include "law/force_law.h"
 
 namespace fissure::impact_test {
 
@@ -91,8 +91,9 @@ TEST(Impact, MethodsSixNumbersAreTheClosedForm) {
 
 TEST(Impact, HuntCrossleyReproducesTheClosedForm) {
   for (const Reference& reference : kReferences) {
-    const auto law = makeHuntCrossley(kStiffness, reference.a * kStiffness, kExponent);
-    const Impact found = rungeKutta(*law, 1e-6);
+    const auto law = ForceLaw(ForceModel::hunt_crossley,
+                              {.k = kStiffness, .lambda = reference.a * kStiffness, .n = kExponent});
+    const Impact found = rungeKutta(law, 1e-6);
     EXPECT_NEAR(1000 * found.x_max_m, reference.x_max_mm, 1e-5);
     EXPECT_NEAR(-found.v1_m_s / kSpeed_m_s, reference.speed_ratio, 1e-6);
   }
@@ -104,10 +105,11 @@ struct Line {
 
 std::vector<Line> errors(const Reference& reference) {
   const Impact exact = closedForm(reference.a);
-  const auto law = makeHuntCrossley(kStiffness, reference.a * kStiffness, kExponent);
+  const auto law = ForceLaw(ForceModel::hunt_crossley,
+                            {.k = kStiffness, .lambda = reference.a * kStiffness, .n = kExponent});
   std::vector<Line> lines;
   for (const double dt_s : {1e-3, 5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5, 5e-6, 2e-6, 1e-6}) {
-    const Impact found = semiImplicitEuler(*law, dt_s);
+    const Impact found = semiImplicitEuler(law, dt_s);
     lines.push_back({reference.a, dt_s, std::abs(found.x_max_m / exact.x_max_m - 1),
                      std::abs(found.v1_m_s / exact.v1_m_s - 1)});
   }

@@ -61,8 +61,9 @@ Totals totalsOn(int subdivisions, double (*map_m)(double)) {
     state.velocities_m_s.push_back(Vec3::Zero());
   }
   std::vector<TriangleLaw> laws;
-  laws.push_back({makeHuntCrossley(200, 0, kExponent)});
-  laws.push_back({.law = makeHuntCrossley(kStiffness, 0, kExponent), .per_area = true});
+  laws.push_back({ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 0, .n = kExponent})});
+  laws.push_back({.law = ForceLaw(ForceModel::hunt_crossley, {.k = kStiffness, .lambda = 0, .n = kExponent}),
+                  .per_area = true});
   TriangleForces(scene, std::move(laws), 0.001).evaluate(patch, state);
   return {state.forces[0].force_on_tool_N.y(), state.forces[1].force_on_tool_N.y()};
 }

@@ -34,8 +34,8 @@ class ToolShares : public testing::Test {
   }
   void evaluate() {
     std::vector<TriangleLaw> laws;
-    laws.push_back({makeLinearElastic(kStiffness)});
-    laws.push_back({makeLinearElastic(3 * kStiffness)});
+    laws.push_back({ForceLaw(ForceModel::linear_elastic, {.k = kStiffness})});
+    laws.push_back({ForceLaw(ForceModel::linear_elastic, {.k = 3 * kStiffness})});
     TriangleForces(scene, std::move(laws), 0.001, true).evaluate(patch, state);
   }
   const Vec3& force(std::size_t law, std::size_t tool) const { return state.tool_forces_N[2 * law + tool]; }

@@ -23,9 +23,11 @@ class TriangleForcesTest : public testing::Test {
   }
   TriangleForces forces(bool keeps_inputs = false) {
     std::vector<TriangleLaw> laws;
-    laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::velocities});
-    laws.push_back({makeLinearElastic(100)});
-    laws.push_back({makeHuntCrossley(200, 50, 1.3), RateSource::differences});
+    laws.push_back(
+        {ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3}), RateSource::velocities});
+    laws.push_back({ForceLaw(ForceModel::linear_elastic, {.k = 100})});
+    laws.push_back(
+        {ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3}), RateSource::differences});
     return TriangleForces(scene, std::move(laws), 0.001, keeps_inputs);
   }
   void touchFace(int face, const Vec3& normal) {
@@ -110,7 +112,8 @@ std::vector<TriangleLaw> allKinds() {
   for (const DeformationKind kind : {DeformationKind::paper, DeformationKind::corotated})
     for (const RateSource rate : {RateSource::differences, RateSource::velocities})
       for (const bool per_area : {false, true})
-        laws.push_back({makeHuntCrossley(200, 50, 1.3), rate, kind, per_area});
+        laws.push_back(
+            {ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3}), rate, kind, per_area});
   return laws;
 }
 
@@ -280,7 +283,7 @@ TEST_F(TriangleForcesTest, KeepsWhatEachLawSawOfEachTriangleOnRequest) {
   const std::size_t triangles = state.colliding_triangles.size();
   ASSERT_GT(triangles, 1u);
   ASSERT_EQ(state.law_inputs.size(), 3 * triangles);
-  const auto law = makeHuntCrossley(200, 50, 1.3);
+  const auto law = ForceLaw(ForceModel::hunt_crossley, {.k = 200, .lambda = 50, .n = 1.3});
   for (std::size_t i = 0; i < triangles; ++i) {
     const Face& face = scene.bodies[0].rest.faces[state.colliding_triangles[i]];
     const LawInput &by_velocities = state.law_inputs[3 * i], &by_differences = state.law_inputs[3 * i + 2];
@@ -289,7 +292,7 @@ TEST_F(TriangleForcesTest, KeepsWhatEachLawSawOfEachTriangleOnRequest) {
     EXPECT_NEAR(by_differences.rate_m_s, by_differences.deformation_m / 0.001, 1e-9);
     EXPECT_NEAR(by_velocities.area_m2, 2e-4, 1e-15);
     EXPECT_LE((by_velocities.direction - Vec3(0, 0.6, -0.8)).norm(), 1e-15) << "on the tool";
-    const LawForce force = law->at(by_differences.deformation_m, by_differences.rate_m_s);
+    const LawForce force = law.at(by_differences.deformation_m, by_differences.rate_m_s);
     const Vec3 expected_N = (force.elastic_N + force.viscous_N) * by_differences.direction;
     EXPECT_LE((state.triangle_forces_N[3 * i + 2] - expected_N).norm(), 1e-12 * expected_N.norm());
   }

@@ -71,7 +71,7 @@ TEST_F(Allocated, WithoutLawsNoCentroidsAndNoContactNormals) {
   for (const std::string pipeline : {"default", "fukuhara"}) {
     scenario.force.clear();
     const long long without = bytes(pipeline);
-    scenario.force = {{.name = "hc", .model = "hunt_crossley"}};
+    scenario.force = {{.name = "hc", .model = ForceModel::hunt_crossley}};
     const long long with = bytes(pipeline);
     const long long centroids = 2 * 2048 * static_cast<long long>(sizeof(Vec3));
     const long long normals = (2048 + 1026) * static_cast<long long>(sizeof(Vec3));
@@ -84,11 +84,11 @@ TEST_F(Allocated, OnlyWhatTheLawsAskForOfDeformationAndAreas) {
     scenario.force = laws;
     return bytes("fukuhara");
   };
-  const ForceSettings paper{.name = "hc", .model = "hunt_crossley"};
+  const ForceSettings paper{.name = "hc", .model = ForceModel::hunt_crossley};
   ForceSettings corotated = paper, per_area = paper, velocities = paper;
-  corotated.deformation = "corotated";
+  corotated.deformation = DeformationKind::corotated;
   per_area.per_area = true;
-  velocities.rate = "velocities";
+  velocities.rate = RateSource::velocities;
   const long long plain = bytesWith({paper});
   const long long arms = 1026 * static_cast<long long>(sizeof(Vec3));
   const long long areas = 2048 * static_cast<long long>(sizeof(double));

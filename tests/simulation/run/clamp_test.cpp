@@ -32,7 +32,8 @@ class ClampRun : public RecordedRun {
     tool.motion = ScriptMotion{.segments = {opens(0.046, 0.2), holds(0.2)}, .start_opening_m = 0.062};
     scenario.tools = {tool};
     scenario.world.gravity_m_s2 = Vec3::Zero();
-    scenario.force = {{.name = "hc", .model = "hunt_crossley", .deformation = "corotated"}};
+    scenario.force = {
+        {.name = "hc", .model = ForceModel::hunt_crossley, .deformation = DeformationKind::corotated}};
     scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
   }
 

@@ -28,8 +28,9 @@ class CoupledRun : public RecordedRun {
     tool.motion =
         ScriptMotion{.start_m = Vec3(0, 0.066, 0), .segments = {moves(Vec3(0, 0.05, 0), 0.2), holds(1)}};
     scenario.tools = {tool};
-    scenario.force = {{.name = "other", .model = "linear_elastic", .k = 10},
-                      {.name = "felt", .model = "hunt_crossley", .k = 200, .lambda = 50}};
+    scenario.force = {
+        {.name = "other", .model = ForceModel::linear_elastic, .coefficients = {.k = 10}},
+        {.name = "felt", .model = ForceModel::hunt_crossley, .coefficients = {.k = 200, .lambda = 50}}};
     scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
   }
 
@@ -130,7 +131,7 @@ TEST_F(CoupledRun, TheHandWaitsWhileTissueSettles) {
 }
 
 TEST_F(CoupledRun, AForceThatIsNoNumberEndsTheRunWithItsStatus) {
-  scenario.force[1].k = 1e308;
+  scenario.force[1].coefficients.k = 1e308;
   fissure::Run run(scenario, scenario.pipelines[0]);
   std::vector<std::unique_ptr<Probe>> probes = makeProbes(scenario, run.scene());
   layout = fissure::Run::declareLayout(probes);

@@ -122,7 +122,7 @@ TEST_F(RunTest, RowsAreTheInitialStateAndEveryStepAtStepTimesDt) {
 }
 
 TEST_F(RunTest, InputsOfForceLawsComeOnceBeforeEachRowAndOnlyWhereAskedFor) {
-  scenario.force = {{.name = "hc", .model = "hunt_crossley"}};
+  scenario.force = {{.name = "hc", .model = ForceModel::hunt_crossley}};
   execute();
   EXPECT_TRUE(sink.inputs_before_row.empty());
   scenario.record.force_inputs = true;

@@ -147,7 +147,7 @@ TEST_F(SetValue, ReplacesValuesByKeysNamesAndIndices) {
   EXPECT_EQ(with("bodies.0.mass_kg", "7").bodies[0].mass_kg, 7);
   EXPECT_EQ(with("pipelines.full.sweeps", "20").pipelines[1].sweeps, 20);
   EXPECT_EQ(with("pipelines.default.settings", "stock").pipelines[0].settings, "stock");
-  EXPECT_EQ(with("force.hc.lambda", "1").force[0].lambda, 1);
+  EXPECT_EQ(with("force.hc.lambda", "1").force[0].coefficients.lambda, 1);
 }
 
 TEST_F(SetValue, TakesAnyYamlAndReplacesTheWholeValue) {
@@ -174,7 +174,7 @@ TEST_F(SetValue, LaterOverridesSeeEarlierOnes) {
   const Scenario s = parseScenario(base_text, "a.yaml",
                                    {{"force", "[{model: linear_elastic}]"}, {"force.linear_elastic.k", "9"}})
                          .scenario;
-  EXPECT_EQ(s.force.at(0).k, 9);
+  EXPECT_EQ(s.force.at(0).coefficients.k, 9);
 }
 
 TEST_F(SetValue, ErrorsNameTheOverride) {

@@ -39,9 +39,9 @@ TEST(Tissues, GiveTheForceThatWasMeasuredOnAProbe) {
        {Measured{"pig_liver_1", 0.029, 0.186, 0.309}, Measured{"pig_liver_2", 0.060, 0.194, 0.356},
         Measured{"pig_liver_3", 0.072, 0.326, 0.532}, Measured{"meat_4", 0.039, 0.179, 0.286},
         Measured{"phantom_silicone", 0.119, 0.953, 1.124}}) {
-    ForceSettings law{.model = "hunt_crossley", .tissue = std::string(measured.name)};
+    ForceSettings law{.model = ForceModel::hunt_crossley, .tissue = std::string(measured.name)};
     applyTissue(law);
-    const double force_N = law.k * std::pow(0.002, law.n) + measured.offset_N;
+    const double force_N = law.coefficients.k * std::pow(0.002, law.coefficients.n) + measured.offset_N;
     EXPECT_GE(force_N, measured.low_N) << measured.name;
     EXPECT_LE(force_N, measured.high_N) << measured.name;
   }
@@ -49,14 +49,14 @@ TEST(Tissues, GiveTheForceThatWasMeasuredOnAProbe) {
 
 TEST(Tissues, FillWhatTheFileLeavesOutAndNothingElse) {
   const ForceSettings filled = with("{model: hunt_crossley, tissue: pig_liver_1}").force[0];
-  EXPECT_EQ(filled.k, 6.08e5);
-  EXPECT_EQ(filled.n, 2.4);
-  EXPECT_EQ(filled.lambda, 0.5 * 6.08e5);
+  EXPECT_EQ(filled.coefficients.k, 6.08e5);
+  EXPECT_EQ(filled.coefficients.n, 2.4);
+  EXPECT_EQ(filled.coefficients.lambda, 0.5 * 6.08e5);
   const ForceSettings own = with("{n: 1.5, model: hunt_crossley, lambda: 7, tissue: pig_liver_1}").force[0];
-  EXPECT_EQ(own.k, 6.08e5);
-  EXPECT_EQ(own.n, 1.5);
-  EXPECT_EQ(own.lambda, 7);
-  EXPECT_EQ(with("{model: hunt_crossley}").force[0].k, 200) << "the law's own default";
+  EXPECT_EQ(own.coefficients.k, 6.08e5);
+  EXPECT_EQ(own.coefficients.n, 1.5);
+  EXPECT_EQ(own.coefficients.lambda, 7);
+  EXPECT_EQ(with("{model: hunt_crossley}").force[0].coefficients.k, 200) << "the law's own default";
 }
 
 // The resolved scenario has the numbers and the name, and reads back to the same, its own numbers included.
@@ -76,9 +76,9 @@ TEST(Tissues, AreForHuntCrossleyWithoutPerAreaAlone) {
   EXPECT_NE(inputError([&] { with("{model: hunt_crossley, tissue: pig_liver}"); }).find("pig_liver_1"),
             std::string::npos);
   Scenario made = smallest();
-  made.force = {{.name = "hc", .model = "linear_elastic", .tissue = "meat_1"}};
+  made.force = {{.name = "hc", .model = ForceModel::linear_elastic, .tissue = "meat_1"}};
   ASSERT_EQ(validate(made).size(), 1u);
-  made.force = {{.name = "hc", .model = "hunt_crossley", .tissue = "meat_9"}};
+  made.force = {{.name = "hc", .model = ForceModel::hunt_crossley, .tissue = "meat_9"}};
   ASSERT_EQ(validate(made).size(), 1u);
   EXPECT_EQ(validate(made)[0].path, "force.hc.tissue");
 }

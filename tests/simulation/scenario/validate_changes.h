@@ -34,7 +34,7 @@ inline Scenario full() {
   PipelineSettings fukuhara;
   fukuhara.name = fukuhara.pipeline = "fukuhara";
   s.pipelines.push_back(fukuhara);
-  s.force = {{"hc", "hunt_crossley", 200, 50, 1.3}};
+  s.force = {{"hc", ForceModel::hunt_crossley}};
   s.record.snapshots_every_s = 0.01;
   s.record.frames = FrameSettings{};
   s.record.frames->camera = CameraSettings{};

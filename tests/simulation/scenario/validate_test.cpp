@@ -75,13 +75,14 @@ TEST(Validate, PipelinesForcesAndRecords) {
       {"pipelines.fukuhara.sweeps", [](Scenario& s) { s.pipelines[1].sweeps = 1001; }},
       {"pipelines.fukuhara.max_displacement_m", [](Scenario& s) { s.pipelines[1].max_displacement_m = 0; }},
       {"pipelines.fukuhara.time_limit_s", [](Scenario& s) { s.pipelines[1].time_limit_s = 0; }},
-      {"force.hc.model", [](Scenario& s) { s.force[0].model = "hertz"; }},
-      {"force.hc.k", [](Scenario& s) { s.force[0].k = -1; }},
-      {"force.hc.lambda", [](Scenario& s) { s.force[0].lambda = nan; }},
-      {"force.hc.n", [](Scenario& s) { s.force[0].n = 0; }},
-      {"force.hc.c", [](Scenario& s) { s.force[0].c = -1; }},
-      {"force.hc.rate", [](Scenario& s) { s.force[0].rate = "speed"; }},
-      {"force.hc.deformation", [](Scenario& s) { s.force[0].deformation = "rigid"; }},
+      {"force.hc.k", [](Scenario& s) { s.force[0].coefficients.k = -1; }},
+      {"force.hc.lambda", [](Scenario& s) { s.force[0].coefficients.lambda = nan; }},
+      {"force.hc.n", [](Scenario& s) { s.force[0].coefficients.n = 0; }},
+      {"force.hc.c",
+       [](Scenario& s) {
+         s.force[0].model = ForceModel::kelvin_voigt;
+         s.force[0].coefficients.c = -1;
+       }},
       {"record.snapshots_every_s", [](Scenario& s) { s.record.snapshots_every_s = 0.0009; }},
       {"record.snapshots_every_s", [](Scenario& s) { s.record.snapshots_every_s = nan; }},
       {"record.force_inputs",

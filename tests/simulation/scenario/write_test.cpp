@@ -165,9 +165,18 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
       (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
-                {"hc", "hunt_crossley", 201, 51, 1.4, "velocities", 1, "paper", false, "meat_4"},
-                {"linear_elastic", "linear_elastic", 202, 50, 1.3, "differences"},
-                {"kelvin_voigt", "kelvin_voigt", 203, 50, 1.3, "velocities", 3, "corotated", true}}));
+                {.name = "hc",
+                 .model = ForceModel::hunt_crossley,
+                 .coefficients = {.k = 201, .lambda = 51, .n = 1.4},
+                 .rate = RateSource::velocities,
+                 .tissue = "meat_4"},
+                {.name = "linear_elastic", .model = ForceModel::linear_elastic, .coefficients = {.k = 202}},
+                {.name = "kelvin_voigt",
+                 .model = ForceModel::kelvin_voigt,
+                 .coefficients = {.k = 203, .c = 3},
+                 .rate = RateSource::velocities,
+                 .deformation = DeformationKind::corotated,
+                 .per_area = true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
   EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}, true}));
   EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);

@@ -1,0 +1,34 @@
+#include "law/laws.h"
+
+namespace fissure {
+
+// METHOD: force.
+ForceLawEntry kelvinVoigtLaw() {
+  return {.name = "kelvin_voigt",
+          .description = "F = k x + c x', a spring and a damper side by side, never pulling",
+          .fit_formula = "F = F0 + k d + c d'",
+          .coefficients = {{.name = "k",
+                            .member = &LawCoefficients::k,
+                            .role = CoefficientRole::elastic,
+                            .default_value = 200,
+                            .unit = "N/m",
+                            .units = "newton per metre",
+                            .units_per_area = "newton per cubic metre"},
+                           {.name = "c",
+                            .member = &LawCoefficients::c,
+                            .role = CoefficientRole::damping,
+                            .default_value = 1,
+                            .unit = "N s/m",
+                            .units = "newton second per metre",
+                            .units_per_area = "newton second per cubic metre"}},
+          .shape_search = {},
+          .force = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawForce {
+            if (deformation_m < 0) return {};
+            return withoutAdhesion(of.k * deformation_m, of.c * rate_m_s);
+          },
+          .terms = [](const LawCoefficients&, double deformation_m, double rate_m_s) -> LawTerms {
+            return {deformation_m, rate_m_s, rate_m_s / deformation_m};
+          }};
+}
+
+}  // namespace fissure

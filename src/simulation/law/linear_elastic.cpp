@@ -1,0 +1,26 @@
+#include "law/laws.h"
+
+namespace fissure {
+
+// METHOD: force.
+ForceLawEntry linearElasticLaw() {
+  return {.name = "linear_elastic",
+          .description = "F = k x, the default model that the paper replaced",
+          .fit_formula = "F = F0 + k d",
+          .coefficients = {{.name = "k",
+                            .member = &LawCoefficients::k,
+                            .role = CoefficientRole::elastic,
+                            .default_value = 200,
+                            .unit = "N/m",
+                            .units = "newton per metre",
+                            .units_per_area = "newton per cubic metre"}},
+          .shape_search = {},
+          .force = [](const LawCoefficients& of, double deformation_m, double) -> LawForce {
+            return deformation_m <= 0 ? LawForce{} : LawForce{of.k * deformation_m, 0, false};
+          },
+          .terms = [](const LawCoefficients&, double deformation_m, double) -> LawTerms {
+            return {deformation_m, 0, 0};
+          }};
+}
+
+}  // namespace fissure
