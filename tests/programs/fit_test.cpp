@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -74,6 +75,33 @@ TEST(Fit, FreeAndFixedCoefficientsAndColumnsAreTheUsers) {
   EXPECT_EQ(together["curves"][0]["parameters"]["F0"]["value"], 0.0);
 }
 
+/// F = 0.02 N + 0.05 N (exp(400/m d) - 1) at depths of 0 to 5 mm, to a micronewton.
+std::string stiffeningCurve() {
+  std::string text = "depth_m,force_N\n";
+  for (int i = 0; i <= 25; ++i) {
+    const double depth_m = 0.0002 * i;
+    char line[64];
+    std::snprintf(line, sizeof line, "%.4f,%.6f\n", depth_m, 0.02 + 0.05 * std::expm1(400 * depth_m));
+    text += line;
+  }
+  return text;
+}
+
+TEST(Fit, OfTissueThatStiffensExponentially) {
+  const Folder folder;
+  folder.write("a.csv", stiffeningCurve());
+  const Outcome outcome = runFissure(folder, {"fit", "a.csv", "--law", "exponential"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_NE(outcome.out.find("F = F0 + k (exp(a d) - 1) + c d'"), std::string::npos) << outcome.out;
+  const Json fit = Json::parse(runFissure(folder, {"fit", "a.csv", "--law", "exponential", "--json"}).out);
+  const Json& found = fit["curves"][0]["parameters"];
+  EXPECT_NEAR(found["a"]["value"].get<double>(), 400, 0.1);
+  EXPECT_EQ(found["a"]["unit"], "1/m");
+  EXPECT_NEAR(found["k"]["value"].get<double>(), 0.05, 1e-4);
+  EXPECT_NEAR(found["F0"]["value"].get<double>(), 0.02, 1e-5);
+  EXPECT_EQ(found["c"]["free"], false) << "no rates, no damper";
+}
+
 TEST(Fit, ACurveThatCannotBeFittedDoesNotStopTheOthers) {
   const Folder folder;
   folder.write("few.csv", "depth_mm,force_N\n1,0.1\n2,0.2\n");
@@ -104,7 +132,8 @@ TEST(Fit, BadInputIsOneLine) {
   expectRefused({"few.csv"}, "few.csv: 2 points for 3 free coefficients, expected more points than these");
   expectRefused(
       {example, "--law", "voigt"},
-      "--law voigt: no such force law, expected one of hunt_crossley, kelvin_voigt, linear_elastic");
+      "--law voigt: no such force law, expected one of hunt_crossley, kelvin_voigt, linear_elastic, "
+      "exponential");
   expectRefused({example, "--free", "k,m"},
                 "--free k,m: hunt_crossley has no coefficient \"m\", did you mean \"k\"?");
   expectRefused({example, "--free", "k"}, "--free k: n is neither free nor fixed, expected --fix n=NUMBER");

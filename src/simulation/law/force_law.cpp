@@ -22,7 +22,8 @@ std::string modelsFor(const std::function<bool(const ForceLawEntry&)>& applies) 
 }  // namespace
 
 const std::vector<ForceLawEntry>& forceLaws() {
-  static const std::vector<ForceLawEntry> table = {huntCrossleyLaw(), kelvinVoigtLaw(), linearElasticLaw()};
+  static const std::vector<ForceLawEntry> table = {huntCrossleyLaw(), kelvinVoigtLaw(), linearElasticLaw(),
+                                                   exponentialLaw()};
   return table;
 }
 

@@ -9,7 +9,7 @@
 namespace fissure {
 
 /// The force laws, in the order of forceLaws().
-enum class ForceModel { hunt_crossley, kelvin_voigt, linear_elastic };
+enum class ForceModel { hunt_crossley, kelvin_voigt, linear_elastic, exponential };
 
 /// Coefficients of all laws; each law reads those of its own entry and no others. Units are the entry's: SI,
 /// and per square metre more for a law that is used per area.
@@ -18,6 +18,7 @@ struct LawCoefficients {
   double lambda = 0;  ///< size of Hunt-Crossley's damping term
   double n = 1;       ///< exponent of the deformation
   double c = 0;       ///< of a damper beside the elastic term
+  double a = 1;       ///< how fast an exponential law stiffens
 
   bool operator==(const LawCoefficients&) const = default;
 };

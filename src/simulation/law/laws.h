@@ -8,5 +8,6 @@ namespace fissure {
 ForceLawEntry huntCrossleyLaw();
 ForceLawEntry kelvinVoigtLaw();
 ForceLawEntry linearElasticLaw();
+ForceLawEntry exponentialLaw();
 
 }  // namespace fissure

@@ -140,6 +140,33 @@ TEST(SimulatedModel, InterpolatesBetweenSteps) {
   EXPECT_NEAR(forces_N[0], 2 * 4 * (run.way_m[30] + run.way_m[31]) / 2, 1e-15);
 }
 
+// Also of laws that the scenario does not have: they see the triangles as its first one does.
+TEST(SimulatedModel, SumsEveryLawOfTheTable) {
+  const SimulatedRun run = press();
+  const MeasuredCurve curve = measured(run, kLaw);
+  for (std::size_t i = 0; i < forceLaws().size(); ++i) {
+    const auto model = static_cast<ForceModel>(i);
+    const LawCoefficients coefficients = forceLaws()[i].defaults();
+    const ForceLaw law(model, coefficients);
+    std::vector<double> forces_N(curve.force_N.size());
+    makeSimulatedFit(model, run, curve, MatchBy::time).model->evaluate({coefficients, 0}, forces_N);
+    std::size_t input = 0;
+    for (std::size_t step = 0; step < kSteps; ++step) {
+      Vec3 sum_N = Vec3::Zero();
+      for (std::size_t t = 0; t < run.inputs.row_sizes[step]; ++t, input += 2) {
+        const LawForce force =
+            law.at(run.inputs.inputs[input].deformation_m, run.inputs.inputs[input].rate_m_s);
+        sum_N += (force.elastic_N + force.viscous_N) * run.inputs.inputs[input].direction;
+      }
+      for (std::size_t p = 0; p < forces_N.size(); ++p) {
+        if (std::abs(curve.time_s[p] - run.inputs.times_s[step]) > 1e-9) continue;
+        EXPECT_NEAR(forces_N[p], sum_N.norm(), 1e-9 * (1 + sum_N.norm()))
+            << forceLaws()[i].name << " " << step;
+      }
+    }
+  }
+}
+
 TEST(SimulatedModel, TakesNegativeLambdasToo) {
   const SimulatedRun run = press();
   const FitValues law{.coefficients = {.k = 5e4, .lambda = -2e4, .n = 1.8}};

@@ -72,6 +72,20 @@ TEST(SweepPlan, LawsShareTheirSimulation) {
   EXPECT_EQ(overrides[0].path, "bodies.ball.mass_kg");
 }
 
+TEST(SweepPlan, EveryCoefficientOfEveryLawMovesNothing) {
+  for (const ForceLawEntry& law : forceLaws()) {
+    for (const LawCoefficient& of : law.coefficients) {
+      const std::string base = scenario.substr(0, scenario.find("force: [")) +
+                               "force: [{name: own, model: " + std::string(law.name) + "}]}";
+      const SweepPlan plan =
+          planOf("axes: [{path: force.own." + std::string(of.name) + ", values: [1, 2, 4]}]\n", base);
+      EXPECT_TRUE(plan.isLawAxis(0)) << law.name << " " << of.name;
+      EXPECT_EQ(plan.tasks().size(), 3u) << "one for each pipeline";
+      EXPECT_EQ(plan.lawsAt(2)[0].coefficients.*of.member, 4) << law.name << " " << of.name;
+    }
+  }
+}
+
 TEST(SweepPlan, WhatMayMoveSomethingIsSimulated) {
   const std::string k = "axes:\n  - {path: force.hc.k, values: [1, 2]}\n";
   EXPECT_EQ(planOf(k).tasks().size(), 3u);

@@ -115,9 +115,10 @@ const BadCase key_cases[] = {
      "hunt_crossley"},
     {"RateForLinearElastic", "linear_elastic, k: 200", "linear_elastic, k: 200, rate: velocities",
      "a.yaml:29: key \"rate\" in force.linear has no meaning here, expected it only for models "
-     "hunt_crossley and kelvin_voigt"},
+     "hunt_crossley, kelvin_voigt and exponential"},
     {"DampingForHuntCrossley", "lambda: 50", "c: 50",
-     "a.yaml:28: key \"c\" in force.hc has no meaning here, expected it only for model kelvin_voigt"},
+     "a.yaml:28: key \"c\" in force.hc has no meaning here, expected it only for models kelvin_voigt and "
+     "exponential"},
     {"PerAreaWithoutCoefficient", "lambda: 50", "per_area: true",
      "a.yaml:28: missing key \"lambda\" in force.hc, expected it"},
     {"SweepsForDefault", "settings: tuned", "sweeps: 10",
