@@ -48,10 +48,10 @@ class Run {
   std::vector<Pose> posesAt(double time_s) const;
   void makeCouplings();
   void moveCoupled(std::vector<Pose>& poses);
-  void noteClamps(double time_s, State& state) const;
-  void noteCouplings(State& state) const;
-  bool advance(std::int64_t step, State& state);
-  void emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames);
+  void noteClamps(double time_s);
+  void noteCouplings();
+  bool advance(std::int64_t step);
+  void emit(const Outputs& outputs, RecordRow& row, FrameSource* frames);
 
   const Scenario& scenario_;
   Scenario engine_scenario_;  ///< the same with rigidTools(), one a tool of the scene
