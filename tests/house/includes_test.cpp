@@ -28,7 +28,7 @@ const std::vector<Wing> kWings = {
       {"motion", {"scenario"}},
       {"mesh", {"scenario"}},
       {"contact", {}},
-      {"scene", {"scenario", "mesh", "contact"}},
+      {"scene", {"scenario", "motion", "mesh", "contact"}},
       {"engine", {"scenario", "motion", "mesh", "contact"}},
       {"run", {"scenario", "motion", "scene", "contact", "engine"}}}},
     {"results",

@@ -113,7 +113,9 @@ class Planner {
     requireText(wholePath(folder_));
     manifest_.settings = loadSweep(file_);
     base_file_ = (manifest_.settings.directory / manifest_.settings.base).lexically_normal();
-    base_ = checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false}).loaded;
+    const CheckedScenario checked =
+        checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false});
+    base_ = checked.loaded;
     requireText(wholePath(base_.scenario.directory));
     const LoadedScenario all = parseScenario(base_.composed, base_file_);
     all_entries_ = all.scenario.pipelines;
@@ -128,7 +130,7 @@ class Planner {
     if (manifest_.points.size() == 0)
       throw InputError(file_.string() + ": exclude leaves no point, expected some");
     checkAxes();
-    addCurves();
+    addCurves(checked);
     addEngines();
     addFit();
     for (const fs::path& input : all.inputs) addInput(input);
@@ -149,9 +151,9 @@ class Planner {
       manifest_.engines[precision] = hashOf(engineProgram(precision));
   }
 
-  void addCurves() {
+  void addCurves(const CheckedScenario& checked) {
     if (!manifest_.settings.curves) return;
-    const RecordLayout layout = layoutOf(base_.scenario, base_.scenario.pipelines.front());
+    const RecordLayout layout = layoutOf(checked, checked.loaded.scenario.pipelines.front());
     manifest_.curves = curveQuantities(manifest_.settings.curves->quantities, layout,
                                        file_.string() + ": curves.quantities");
   }

@@ -59,21 +59,14 @@ std::optional<double> depth_m(const RecordLayout& layout, const RecordRow& row) 
 
 }  // namespace
 
-Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
-    : scenario_(scenario),
-      engine_scenario_(scenario),
-      pipeline_(pipeline),
-      scene_(buildScene(scenario, pipeline.usesNodes())) {
+Run::Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedScenario prepared)
+    : scenario_(scenario), engine_scenario_(scenario), pipeline_(pipeline), prepared_(std::move(prepared)) {
+  if (!pipeline.usesNodes()) dropNodes(prepared_.scene);
   engine_scenario_.tools = rigidTools(scenario.tools);
-  double longest_s = 0;
-  for (const ToolSettings& tool : scenario.tools) {
-    motions_.push_back(makeMotion(tool, scenario.directory));
-    longest_s = std::max(longest_s, motions_.back()->duration_s());
-  }
-  const double duration_s = scenario.time.duration_s.value_or(longest_s);
+  const double duration_s = scenario.time.duration_s.value_or(prepared_.longestMotion_s());
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
-  simulation_ = makeSimulation(engine_scenario_, pipeline, scene_, posesAt(0));
+  simulation_ = makeSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
   makeCouplings();
 }
 
@@ -95,30 +88,22 @@ void Run::moveCoupled(std::vector<Pose>& poses) {
   for (Coupled& coupled : coupled_) {
     Pose& pose = poses[coupled.tool];
     const Vec3& force_N =
-        simulation_->state().tool_forces_N[coupled.law * scene_.tools.size() + coupled.tool];
+        simulation_->state().tool_forces_N[coupled.law * prepared_.scene.tools.size() + coupled.tool];
     const Vec3 felt_N = (1e6 * force_N).array().round() / 1e6;
     pose.position_m = coupled.coupling.advance(pose.position_m, felt_N);
   }
 }
 
-RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
-  RecordLayout layout;
-  layout.add(
-      {.name = "time", .units = "s", .long_name = "simulated time: step x dt, from the end of settling"});
-  for (const auto& probe : probes) probe->declare(layout);
-  return layout;
-}
-
 std::vector<Pose> Run::posesAt(double time_s) const {
   std::vector<Pose> poses;
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
     const ToolSettings& tool = scenario_.tools[t];
-    const Pose pose = motions_[t]->poseAt(time_s);
+    const Pose pose = prepared_.motions[t]->poseAt(time_s);
     if (!tool.clamp) {
       poses.push_back(pose);
       continue;
     }
-    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, motions_[t]->openingAt(time_s));
+    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, prepared_.motions[t]->openingAt(time_s));
     poses.insert(poses.end(), jaws.begin(), jaws.end());
   }
   return poses;
@@ -127,9 +112,9 @@ std::vector<Pose> Run::posesAt(double time_s) const {
 void Run::noteClamps(double time_s) {
   std::vector<ClampState>& clamps = simulation_->state().clamps;
   clamps.clear();
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
     if (scenario_.tools[t].clamp)
-      clamps.push_back({motions_[t]->poseAt(time_s), motions_[t]->openingAt(time_s)});
+      clamps.push_back({prepared_.motions[t]->poseAt(time_s), prepared_.motions[t]->openingAt(time_s)});
   }
 }
 
@@ -212,11 +197,11 @@ RunStatus Run::execute(const Outputs& outputs) {
                     std::to_string(step) + format(" (t = %g s)", state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);
-  if (const std::string repairs = repairsOf(scene_); !repairs.empty())
+  if (const std::string repairs = repairsOf(prepared_.scene); !repairs.empty())
     summary.push_back({"repairs", repairs});
   for (const SummaryValue& value : simulation_->counters()) summary.push_back(value);
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
-    for (SummaryValue value : motions_[t]->summary()) {
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
+    for (SummaryValue value : prepared_.motions[t]->summary()) {
       value.name = scenario_.tools[t].name + "_" + value.name;
       summary.push_back(std::move(value));
     }
