@@ -1,8 +1,8 @@
 // A simulated step, with nothing looking on.
-#include <cmath>
 #include <map>
 #include <variant>
 
+#include "base/steps.h"
 #include "batch.h"
 #include "cases.h"
 #include "engine/simulation.h"
@@ -53,7 +53,7 @@ double measureSteps(benchmark::State& out, const Scenario& scenario, const Pipel
   };
   const auto simulation = makeSimulation(scenario, pipeline, scene, poses_at(0));
   const State& state = simulation->state();
-  const int settling = static_cast<int>(std::ceil(scenario.time.settle_s / scenario.time.step_s - 1e-9));
+  const int settling = static_cast<int>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   for (int i = 0; i < settling; ++i) simulation->step(poses_at(0));
   const int first = stepsBeforeContact(scenario.name) + 1;
   for (int step = 1; step < first; ++step) simulation->step(poses_at(step));
