@@ -34,6 +34,7 @@ struct PressedSphere {
                        .margins_m = {scenario.bodies[0].margin_m}}};
   std::vector<double> inverse_masses =
       std::vector<double>(scene.vertexCount(), scene.vertexCount() / scenario.bodies[0].mass_kg);
+  std::vector<Vec3> before_m = scene.bodies[0].rest.vertices_m;
   std::vector<ToolState> tools_before;
   State state{.positions_m = scene.bodies[0].rest.vertices_m, .tools = {ToolState{}}};
   ContactPatch patch;
@@ -50,8 +51,13 @@ struct PressedSphere {
         0, top_m - depth_m + 0.5 * std::get<BoxShape>(scenario.tools[0].shape).size_m.y(), 0};
   }
   void detect() {
-    contact.step(state.positions_m, inverse_masses, tools_before, state.tools, scenario.time.step_s, state,
-                 patch);
+    contact.step({.positions_m = state.positions_m,
+                  .before_m = before_m,
+                  .tools_before = tools_before,
+                  .tools_now = state.tools,
+                  .dt_s = scenario.time.step_s},
+                 inverse_masses, state.contact, patch);
+    before_m = state.positions_m;
   }
   void press(double from_m, double to_m) {
     for (double depth_m = from_m; depth_m < to_m + 0.5 * kStep_m; depth_m += kStep_m) {
@@ -85,7 +91,7 @@ double detect(benchmark::State& out, int subdivisions, int nodes) {
   const auto before = countsOf(saved);
   for (const auto& [name, count] : countsOf(stepped))
     out.counters[name] = static_cast<double>(count - before.at(name));
-  out.counters["contacts"] = stepped.state.contact_count;
+  out.counters["contacts"] = stepped.state.contact.contact_count;
   out.counters["allocations"] = calls.allocationCount() / kContactCalls;
   return calls.median_s();
 }

@@ -24,7 +24,7 @@ double append(benchmark::State& out) {
   const PipelineSettings& pipeline = scenario.pipelines.back();
   const Scene scene = buildScene(scenario, pipeline.usesNodes());
   auto probes = makeProbes(scenario, scene);
-  const RecordLayout layout = Run::declareLayout(probes);
+  const RecordLayout layout = declareLayout(probes);
   std::vector<RecordRow> table(1000, RecordRow(layout.columns()));  // values that no filter can squeeze away
   for (std::size_t i = 0; i < table.size(); ++i) {
     for (std::size_t j = 0; j < table[i].size(); ++j) {

@@ -80,11 +80,11 @@ class TimedFrames : public FrameSource {
 double measureRecording(benchmark::State& out, const Scenario& scenario, const PipelineSettings& pipeline) {
   const auto part =
       std::filesystem::temp_directory_path() / ("fissure-bench-" + std::to_string(getpid()) + "-record.part");
-  Run run(scenario, pipeline);
+  Run run(scenario, pipeline, prepareScenario(scenario, pipeline.usesNodes()));
   Batch samples, writes, draws;
   std::vector<std::unique_ptr<Probe>> probes;
   probes.push_back(std::make_unique<TimedProbes>(makeProbes(scenario, run.scene()), samples));
-  const RecordLayout layout = Run::declareLayout(probes);
+  const RecordLayout layout = declareLayout(probes);
   TimedSink sink(createPartFile(part, {.scenario = scenario,
                                        .pipeline = pipeline,
                                        .scene = run.scene(),

@@ -1,8 +1,8 @@
 // A simulated step, with nothing looking on.
-#include <cmath>
 #include <map>
 #include <variant>
 
+#include "base/steps.h"
 #include "batch.h"
 #include "cases.h"
 #include "engine/simulation.h"
@@ -53,11 +53,11 @@ double measureSteps(benchmark::State& out, const Scenario& scenario, const Pipel
   };
   const auto simulation = makeSimulation(scenario, pipeline, scene, poses_at(0));
   const State& state = simulation->state();
-  const int settling = static_cast<int>(std::ceil(scenario.time.settle_s / scenario.time.step_s - 1e-9));
+  const int settling = static_cast<int>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   for (int i = 0; i < settling; ++i) simulation->step(poses_at(0));
   const int first = stepsBeforeContact(scenario.name) + 1;
   for (int step = 1; step < first; ++step) simulation->step(poses_at(step));
-  if (state.contact_count != 0) throw std::logic_error("contact before the first measured step");
+  if (state.contact.contact_count != 0) throw std::logic_error("contact before the first measured step");
 
   const auto counts_before = countsOf(*simulation);
   double contacts = 0;
@@ -67,7 +67,7 @@ double measureSteps(benchmark::State& out, const Scenario& scenario, const Pipel
     const std::vector<Pose> poses = poses_at(step);
     steps.time([&] { simulation->step(poses); });
     stages.push_back(simulation->stageTimes());
-    contacts += state.contact_count;
+    contacts += state.contact.contact_count;
   }
   for (const auto& [name, count] : countsOf(*simulation))
     out.counters[name] = (count - counts_before.at(name)) / kSteps;

@@ -14,7 +14,7 @@ Json sideJson(const RunOfFile& side) {
           {"reference", side.info->reference}};
 }
 
-Json placeJson(const std::optional<Place>& place, const std::string& name) {
+Json placeJson(const std::optional<ValueIndex>& place, const std::string& name) {
   if (!place) return nullptr;
   return {{"row", place->row}, {"column", place->column}, {"name", name}};
 }

@@ -54,10 +54,10 @@ void checkPrecision(const PipelineSettings& pipeline) {
 /// One run into whatever `make_sink` makes from its layout.
 class RunningRun {
  public:
-  RunningRun(const LoadedScenario& loaded, const PipelineSettings& pipeline)
-      : loaded_(loaded), pipeline_(pipeline), run_(loaded.scenario, pipeline) {
+  RunningRun(const LoadedScenario& loaded, const PipelineSettings& pipeline, PreparedScenario prepared)
+      : loaded_(loaded), pipeline_(pipeline), run_(loaded.scenario, pipeline, std::move(prepared)) {
     probes_ = makeProbes(loaded.scenario, run_.scene());
-    layout_ = Run::declareLayout(probes_);
+    layout_ = declareLayout(probes_);
   }
 
   const RecordLayout& layout() const { return layout_; }
@@ -97,7 +97,7 @@ void work(const std::string& file, const std::string& directory, const std::stri
       readTextFile(file), std::filesystem::path(directory) / std::filesystem::path(file).filename());
   const PipelineSettings& pipeline = findPipeline(loaded.scenario, name);
   checkPrecision(pipeline);
-  RunningRun run(loaded, pipeline);
+  RunningRun run(loaded, pipeline, prepareScenario(loaded.scenario, pipeline.usesNodes()));
   const auto sink = run.makePart(part);
   run.execute(*sink);
 }
@@ -116,7 +116,7 @@ CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
 /// One simulation of a sweep: its record, and its part where a result is kept.
 void workToOrder(const std::string& order_file, const std::string& record, const std::string& part) {
   const TaskOrder order = parseOrder(readTextFile(order_file));
-  const CheckedScenario checked = [&] {
+  CheckedScenario checked = [&] {
     try {
       return scenarioOf(order, !part.empty());
     } catch (const InputError& error) {
@@ -126,7 +126,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
   checkPrecision(pipeline);
   const auto start = std::chrono::steady_clock::now();
-  RunningRun run(checked.loaded, pipeline);
+  RunningRun run(checked.loaded, pipeline, std::move(checked.prepared));
   RunRecorder::Settings settings;
   if (order.curves) {
     settings.curves = curveQuantities(order.curves->quantities, run.layout(), "curves.quantities");

@@ -10,18 +10,16 @@
 #include "main/verbs.h"
 #include "motion/motion.h"
 #include "scenario/rigid_tools.h"
-#include "scene/fixed_vertices.h"
-#include "scene/place.h"
 
 namespace fissure {
 
 namespace {
 
 /// What the rules of a replay have found in its log: "replay: 1501 samples, 12 held samples, 0 gaps ..."
-void printReplay(const ToolSettings& tool, const std::filesystem::path& directory) {
+void printReplay(const Motion& motion) {
   const std::string prefix = "replay_";
   std::string counts;
-  for (const SummaryValue& value : makeMotion(tool, directory)->summary()) {
+  for (const SummaryValue& value : motion.summary()) {
     std::string what = value.name.substr(value.name.starts_with(prefix) ? prefix.size() : 0);
     std::replace(what.begin(), what.end(), '_', ' ');
     counts += (counts.empty() ? "" : ", ") + summaryText(value) + " " + what;
@@ -44,19 +42,23 @@ void printScene(const CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
             << scenario.time.step_s << " s, " << scenario.pipelines.size() << " runs\n";
-  for (const BodySettings& body : scenario.bodies) {
-    const TriangleMesh surface = placeBody(body, scenario.directory);
-    std::cout << "  body " << body.name << ": " << surface.faces.size() << " triangles, "
-              << surface.vertices_m.size() << " vertices";
-    const std::size_t fixed = fixedVertices(body, surface).size();
+  const Scene& scene = checked.prepared.scene;
+  for (const SceneBody& body : scene.bodies) {
+    std::cout << "  body " << body.name << ": " << body.rest.faces.size() << " triangles, "
+              << body.rest.vertices_m.size() << " vertices";
+    const std::size_t fixed = body.fixed_vertices.size();
     if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
     std::cout << "\n";
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
-  for (const ToolSettings& tool : scenario.tools) {
+  std::size_t rigid = 0;  // the scene's tool; of a clamp, its right jaw, whose shape the clamp names
+  for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
+    const ToolSettings& tool = scenario.tools[t];
+    if (tool.clamp) ++rigid;
     std::cout << (tool.clamp ? "  clamp " : "  tool ") << tool.name << ": ";
     if (!std::holds_alternative<BoxShape>(tool.shape))
-      std::cout << makeSurface(tool.shape, scenario.directory).faces.size() << " triangles, ";
+      std::cout << scene.tools[rigid].surface.faces.size() << " triangles, ";
+    ++rigid;
     std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     if (tool.coupling)
@@ -64,7 +66,7 @@ void printScene(const CheckedScenario& checked) {
                 << tool.coupling->force;
     std::cout << "\n";
     if (tool.clamp) printClamp(tool);
-    printReplay(tool, scenario.directory);
+    printReplay(*checked.prepared.motions[t]);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
   if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";

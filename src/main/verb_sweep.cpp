@@ -39,7 +39,7 @@ struct SweepOptions {
   std::optional<int> slots;
   SlurmOptions slurm;
   bool dry_run = false;
-  bool many = false;
+  bool allow_many_runs = false;
   bool fail_fast = false;
   bool json = false;
   std::string command_line;
@@ -152,8 +152,8 @@ void printCounts(const SweepPlan& plan, const SweepState& state) {
     comma = ", ";
   }
   std::cout << "\n";
-  if (state.strangers() > 0)
-    std::cout << counted(state.strangers(), "record") << " of an earlier form of the sweep\n";
+  if (state.unplannedRecords() > 0)
+    std::cout << counted(state.unplannedRecords(), "record") << " of an earlier form of the sweep\n";
   for (const fs::path& journal : state.damaged())
     std::cout << journal.string() << ": its end is torn or damaged, what it held is made again\n";
 }
@@ -280,7 +280,8 @@ int runSweep(const SweepOptions& options) {
   const int slots = slurm ? slurm->slots() : options.slots.value_or(1);
   std::error_code ignored;
   const bool planned = fs::is_directory(options.sweep, ignored);
-  SweepManifest manifest = planned ? readManifest(folder) : planSweep(options.sweep, folder, options.many);
+  SweepManifest manifest =
+      planned ? readManifest(folder) : planSweep(options.sweep, folder, options.allow_many_runs);
   if (planned) refuseOtherPlan(manifest, folder);
   auto interrupt = std::make_unique<Interrupt>();
   if (!planned && !options.dry_run) putManifest(manifest, folder);
@@ -357,7 +358,7 @@ void addOptions(Command command, SweepOptions& options) {
       .notEmpty();
   command.option("-j,--jobs", options.slots, "simulations side by side; default: 1").between(1, 1024);
   command.flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
-  command.flag("--yes", options.many, "plan more than 100,000 runs");
+  command.flag("--yes", options.allow_many_runs, "plan more than 100,000 runs");
   command.option("--shard", options.shard,
                  "I/N: only this one of N shares of the simulations; then `sweep merge`");
   command.flag("--fail-fast", options.fail_fast, "stop at the first simulation that fails");

@@ -29,7 +29,7 @@ const std::vector<Wing> kWings = {
       {"motion", {"scenario"}},
       {"mesh", {"scenario"}},
       {"contact", {"law"}},
-      {"scene", {"scenario", "mesh", "contact"}},
+      {"scene", {"scenario", "motion", "mesh", "contact"}},
       {"engine", {"law", "scenario", "motion", "mesh", "contact"}},
       {"run", {"scenario", "motion", "scene", "contact", "engine"}}}},
     {"results",

@@ -74,6 +74,7 @@ Experiment::Experiment(CheckedScenario checked, const fs::path& output, const Ou
       output_(output),
       keep_parts_(rules.keep_parts),
       open_(checked_.loaded.scenario.pipelines.size()) {
+  checked_.prepared = {};  // every worker reads the files itself
   refuseInputsAsOutput(checked_.loaded, output);
   if (keep_parts_ && !rules.replace) refuseKeptParts(checked_.loaded.scenario, output);
   input_hashes_ = inputHashes(checked_.loaded);

@@ -24,17 +24,17 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
   return row_bytes * static_cast<double>(checked.steps + 1);
 }
 
-RecordLayout layoutIn(const Scenario& scenario, const Scene& scene) {
-  RecordLayout layout;
-  layout.add({"time", "s", "simulated time", ValueType::real, {}});
-  for (const auto& probe : makeProbes(scenario, scene)) probe->declare(layout);
-  return layout;
+/// The checked scene as the pipeline has it.
+Scene sceneFor(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  Scene scene = checked.prepared.scene;
+  if (!pipeline.usesNodes()) dropNodes(scene);
+  return scene;
 }
 
 RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline) {
   const Scenario& scenario = checked.loaded.scenario;
-  const Scene scene = buildScene(scenario, pipeline.usesNodes());
-  const RecordLayout layout = layoutIn(scenario, scene);
+  const Scene scene = sceneFor(checked, pipeline);
+  const RecordLayout layout = declareLayout(makeProbes(scenario, scene));
 
   RunPlan plan;
   plan.pipeline = &pipeline;
@@ -63,8 +63,8 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
 
 }  // namespace
 
-RecordLayout layoutOf(const Scenario& scenario, const PipelineSettings& pipeline) {
-  return layoutIn(scenario, buildScene(scenario, pipeline.usesNodes()));
+RecordLayout layoutOf(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  return declareLayout(makeProbes(checked.loaded.scenario, sceneFor(checked, pipeline)));
 }
 
 std::vector<RunPlan> planRuns(const CheckedScenario& checked) {

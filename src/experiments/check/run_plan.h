@@ -26,8 +26,8 @@ struct RunPlan {
   double bytes() const { return record_bytes + snapshot_bytes + frame_bytes; }
 };
 
-/// The series of a run's record.
-RecordLayout layoutOf(const Scenario& scenario, const PipelineSettings& pipeline);
+/// The series of the record of a run through `pipeline`, one of the scenario's.
+RecordLayout layoutOf(const CheckedScenario& checked, const PipelineSettings& pipeline);
 
 /// One plan a pipeline entry. `checked` must outlive them.
 std::vector<RunPlan> planRuns(const CheckedScenario& checked);

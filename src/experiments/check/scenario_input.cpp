@@ -7,7 +7,6 @@
 #include "mesh/check.h"
 #include "mesh/convex.h"
 #include "mesh/file_surface.h"
-#include "motion/motion.h"
 #include "process/apart.h"
 #include "scene/build_scene.h"
 #include "scene/fixed_vertices.h"
@@ -88,8 +87,13 @@ void noteSurface(const FileSurface& surface, const std::string& path, std::vecto
 /// What is wrong with the surfaces of a scenario, and what can be said about them besides.
 class SurfaceReport {
  public:
-  SurfaceReport(CheckedScenario& checked, std::string what, std::string expected, Spoils spoils)
-      : checked_(checked), what_(std::move(what)), expected_(std::move(expected)), spoils_(spoils) {}
+  SurfaceReport(CheckedScenario& checked, const SurfaceFiles& files, std::string what, std::string expected,
+                Spoils spoils)
+      : checked_(checked),
+        files_(files),
+        what_(std::move(what)),
+        expected_(std::move(expected)),
+        spoils_(spoils) {}
 
   /// Looks at the shape at `path`; true when it is good.
   bool check(const SurfaceShape& shape, const std::string& path) {
@@ -122,26 +126,27 @@ class SurfaceReport {
     if (!from_file) return spoiling(inspectSurface(makeSurface(shape)), spoils_);
     // Assimp may crash on a damaged file, or never end.
     tryReading(directory / from_file->file, [&] { loadSurface(*from_file, directory); });
-    const FileSurface surface = loadSurface(*from_file, directory);
+    const FileSurface& surface = files_.surface(*from_file);
     noteSurface(surface, path, checked_.notes);
     return spoiling(surface.left, spoils_);
   }
 
   CheckedScenario& checked_;
+  const SurfaceFiles& files_;
   std::string what_, expected_;
   Spoils spoils_;
   std::string all_;
   std::vector<std::string> lines_;
 };
 
-void checkBodies(CheckedScenario& checked) {
+void checkBodies(CheckedScenario& checked, const SurfaceFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
-  SurfaceReport report(checked, "cannot be simulated", "expected a closed surface with outward faces",
+  SurfaceReport report(checked, files, "cannot be simulated", "expected a closed surface with outward faces",
                        spoilsBody);
   for (const BodySettings& body : scenario.bodies) {
     if (!report.check(body.shape, "bodies." + body.name + ".shape")) continue;
     if (body.fixed.empty() && body.gauges.empty()) continue;
-    const TriangleMesh rest = placeBody(body, scenario.directory);
+    const TriangleMesh rest = placeBody(body, files);
     if (!body.fixed.empty()) checkFixed(checked.file.string(), body, rest);
     checkGauges(checked.file.string(), body, rest);
   }
@@ -167,20 +172,21 @@ void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
   }
 }
 
-Scene sceneOf(const CheckedScenario& checked) {
+Scene sceneOf(const CheckedScenario& checked, const SurfaceFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
   const bool with_nodes = std::any_of(scenario.pipelines.begin(), scenario.pipelines.end(),
                                       [](const PipelineSettings& entry) { return entry.usesNodes(); });
   try {
-    return buildScene(scenario, with_nodes);
+    return buildScene(scenario, with_nodes, files);
   } catch (const InputError& error) {
     throw InputError(checked.file.string() + ": " + error.what());
   }
 }
 
-void checkTools(CheckedScenario& checked) {
+void checkTools(CheckedScenario& checked, const SurfaceFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
-  SurfaceReport report(checked, "cannot be used", "expected faces that agree about the outside", spoilsTool);
+  SurfaceReport report(checked, files, "cannot be used", "expected faces that agree about the outside",
+                       spoilsTool);
   for (const ToolSettings& tool : scenario.tools) {
     const std::string path = "tools." + tool.name;
     report.check(tool.shape, path + ".shape");
@@ -190,15 +196,6 @@ void checkTools(CheckedScenario& checked) {
       report.check(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i) + ".shape");
   }
   report.finish();
-  for (const SceneTool& tool : sceneOf(checked).tools) checkTool(checked, tool);
-}
-
-/// Seconds until the last tool stands still; reads every log.
-double longestMotion_s(const Scenario& scenario) {
-  double longest_s = 0;
-  for (const ToolSettings& tool : scenario.tools)
-    longest_s = std::max(longest_s, makeMotion(tool, scenario.directory)->duration_s());
-  return longest_s;
 }
 
 }  // namespace
@@ -209,16 +206,20 @@ CheckedScenario checkScenario(const std::filesystem::path& file, const Selection
 
 CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario loaded,
                             const Selection& selection) {
-  CheckedScenario checked{file, std::move(loaded), 0, 0, {}};
+  CheckedScenario checked{.file = file, .loaded = std::move(loaded)};
   Scenario& scenario = checked.loaded.scenario;
   select(selection.pipelines, checked);
   if (!selection.frames) scenario.record.frames.reset();
   if (!selection.expectations) scenario.expect.clear();
   checked.loaded.resolved = toYaml(scenario);
-  checkBodies(checked);
-  checkTools(checked);
-  const double longest_s = longestMotion_s(scenario);
-  checked.duration_s = scenario.time.duration_s.value_or(longest_s);
+  const SurfaceFiles files(scenario.directory);
+  checkBodies(checked, files);
+  checkTools(checked, files);
+  PreparedScenario& prepared = checked.prepared;
+  prepared.scene = sceneOf(checked, files);
+  for (const SceneTool& tool : prepared.scene.tools) checkTool(checked, tool);
+  prepared.motions = makeMotions(scenario);
+  checked.duration_s = scenario.time.duration_s.value_or(prepared.longestMotion_s());
   const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);
   if (!(steps <= max_steps))
     throw InputError(file.string() +

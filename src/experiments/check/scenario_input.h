@@ -8,6 +8,7 @@
 
 #include "base/error.h"
 #include "scenario/load.h"
+#include "scene/prepared_scenario.h"
 
 namespace fissure {
 
@@ -32,7 +33,8 @@ class BadSurfaces : public InputError {
   std::vector<std::string> lines_;
 };
 
-/// A scenario that can be simulated: everything that can be checked without simulating has been.
+/// A scenario that can be simulated: everything that can be checked without simulating has been. Its meshes
+/// and logs have been read, each once.
 struct CheckedScenario {
   std::filesystem::path file;
   LoadedScenario loaded;   ///< with the selection applied; `resolved` says so too
@@ -41,6 +43,7 @@ struct CheckedScenario {
   /// What is odd about surfaces from files and was repaired of them, a line each:
   /// "bodies.liver.shape: 57 sliver triangles (...)".
   std::vector<std::string> notes;
+  PreparedScenario prepared;  ///< with nodes where any of the pipelines uses them
 };
 
 /// Loads a scenario, applies `selection`, and checks what needs other files: surfaces of bodies, logs of

@@ -137,17 +137,17 @@ class CurveReader {
                     [](const std::string& name) { return toReal(name).has_value(); }))
       throw fileError("a header of numbers alone, the first point would be lost", "a line of names above it");
     for (const CurveColumn& column : columns) {
-      if (places_.contains(column.role))
+      if (columns_.contains(column.role))
         throw InputError("--columns: two columns for " + std::string(infoOf(column.role).name) +
                          ", expected one");
       use(infoOf(column.role), find(column.column), column.to_si);
     }
     for (const RoleInfo& info : roles())
-      if (!places_.contains(info.role)) findByName(info);
-    if (places_.contains(CurveRole::sigma) && places_.contains(CurveRole::weight))
+      if (!columns_.contains(info.role)) findByName(info);
+    if (columns_.contains(CurveRole::sigma) && columns_.contains(CurveRole::weight))
       throw fileError("both a sigma and a weight", "one of them");
-    if (!places_.contains(CurveRole::force)) throw fileError("no column of forces", missing("force=F:N"));
-    if (!places_.contains(CurveRole::depth) && !places_.contains(CurveRole::time))
+    if (!columns_.contains(CurveRole::force)) throw fileError("no column of forces", missing("force=F:N"));
+    if (!columns_.contains(CurveRole::depth) && !columns_.contains(CurveRole::time))
       throw fileError("neither depths nor times", missing("depth=d:mm"));
   }
 
@@ -157,11 +157,11 @@ class CurveReader {
     if (!rows) throw fileError("only a header line", "rows below it");
     std::vector<MeasuredCurve> measured;
     for (MeasuredCurve& curve : curves_) {
-      if (places_.contains(CurveRole::time) && !curve.depth_m.empty()) {
+      if (columns_.contains(CurveRole::time) && !curve.depth_m.empty()) {
         curve.rate_m_s = ratesOf(curve.time_s, curve.depth_m);
         curve.rate_noise_m_s = rateNoiseOf(curve.time_s, curve.depth_m);
       }
-      if (!places_.contains(CurveRole::time)) sortByDepth(curve);
+      if (!columns_.contains(CurveRole::time)) sortByDepth(curve);
       if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
       if (curve.force_N.empty())
         throw InputError(table_.fileName() + ": no row of curve " + curve.name +
@@ -170,14 +170,15 @@ class CurveReader {
       warn(curve);
       curve.file = table_.fileName();
       for (const CurveRole role : {CurveRole::sigma, CurveRole::weight})
-        if (places_.contains(role)) curve.weighted_by = role;
+        if (columns_.contains(role)) curve.weighted_by = role;
       measured.push_back(std::move(curve));
     }
     return measured;
   }
 
  private:
-  struct Place {
+  /// Where a role's numbers stand, and what makes them SI.
+  struct FileColumn {
     std::size_t column = 0;
     double to_si = 1;
   };
@@ -214,7 +215,7 @@ class CurveReader {
                             logExcerpt(name) + ":" + std::string(info.units.begin()->first));
       to_si = info.units.at(unit);
     }
-    places_[info.role] = {column, to_si.value_or(1)};
+    columns_[info.role] = {column, to_si.value_or(1)};
   }
 
   void findByName(const RoleInfo& info) {
@@ -232,32 +233,32 @@ class CurveReader {
   }
 
   double number(CurveRole role) const {
-    const auto place = places_.find(role);
-    if (place == places_.end()) return 0;
-    const double value = table_.number(place->second.column);
+    const auto column = columns_.find(role);
+    if (column == columns_.end()) return 0;
+    const double value = table_.number(column->second.column);
     if (std::isinf(value))
       throw InputError(
           table_.fileName(), table_.line(),
           "an infinite " + std::string(infoOf(role).name) + ", expected a number like 0.0125 or nothing");
-    return value * place->second.to_si;
+    return value * column->second.to_si;
   }
 
   MeasuredCurve& curveOfRow() {
-    const auto place = places_.find(CurveRole::curve);
+    const auto column = columns_.find(CurveRole::curve);
     const std::string name =
-        place == places_.end() ? stem_ : stem_ + ":" + std::string(table_.text(place->second.column));
+        column == columns_.end() ? stem_ : stem_ + ":" + std::string(table_.text(column->second.column));
     const auto [entry, is_new] = index_.try_emplace(name, curves_.size());
     if (is_new) curves_.emplace_back().name = name;
     return curves_[entry->second];
   }
 
   double weightOfRow() const {
-    if (places_.contains(CurveRole::weight)) {
+    if (columns_.contains(CurveRole::weight)) {
       const double weight = number(CurveRole::weight);
       if (weight < 0) throw InputError(table_.fileName(), table_.line(), "a weight below 0, expected >= 0");
       return weight;
     }
-    if (!places_.contains(CurveRole::sigma)) return 1;
+    if (!columns_.contains(CurveRole::sigma)) return 1;
     const double sigma_N = number(CurveRole::sigma);
     if (sigma_N <= 0)
       throw InputError(table_.fileName(), table_.line(), "a sigma of 0 or less, expected > 0");
@@ -274,8 +275,8 @@ class CurveReader {
     }
     if (!curve.time_s.empty() && time_s < curve.time_s.back())
       throw InputError(table_.fileName(), table_.line(), "the time goes back, expected times in order");
-    if (places_.contains(CurveRole::depth)) curve.depth_m.push_back(depth_m);
-    if (places_.contains(CurveRole::time)) curve.time_s.push_back(time_s);
+    if (columns_.contains(CurveRole::depth)) curve.depth_m.push_back(depth_m);
+    if (columns_.contains(CurveRole::time)) curve.time_s.push_back(time_s);
     curve.force_N.push_back(force_N);
     curve.weights.push_back(weight);
   }
@@ -304,7 +305,7 @@ class CurveReader {
 
   DelimitedText table_;
   std::string stem_;
-  std::map<CurveRole, Place> places_;
+  std::map<CurveRole, FileColumn> columns_;
   std::map<std::string, std::size_t> index_;
   std::vector<MeasuredCurve> curves_;
 };

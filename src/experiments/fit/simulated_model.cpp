@@ -16,8 +16,8 @@ namespace fissure {
 
 namespace {
 
-/// Between two of the steps that are evaluated.
-struct Place {
+/// A point of the curve as a mean of the two steps that it lies between, of those that are evaluated.
+struct StepInterpolation {
   std::size_t before = 0, after = 0;
   double share = 0;  ///< of `after`
 };
@@ -25,8 +25,9 @@ struct Place {
 class SimulatedModel : public LawModel {
  public:
   /// `rates`: whether those of the simulation are those of the curve.
-  SimulatedModel(ForceModel law, const SimulatedRun& run, std::vector<Place> places, bool rates)
-      : law_(law), scenario_laws_(run.laws), places_(std::move(places)) {
+  SimulatedModel(ForceModel law, const SimulatedRun& run, std::vector<StepInterpolation> interpolations,
+                 bool rates)
+      : law_(law), scenario_laws_(run.laws), interpolations_(std::move(interpolations)) {
     const auto same = std::find_if(run.laws.begin(), run.laws.end(),
                                    [&](const ForceSettings& of) { return of.model == law; });
     seen_as_ = same == run.laws.end() ? run.laws.front() : *same;
@@ -37,7 +38,7 @@ class SimulatedModel : public LawModel {
     if (!rates) rate_scale_m_s_ = 0;
   }
   ForceModel law() const override { return law_; }
-  std::size_t size() const override { return places_.size(); }
+  std::size_t size() const override { return interpolations_.size(); }
   void evaluate(const FitValues& values, std::span<double> force_N) const override {
     ForceSettings law = seen_as_;
     law.coefficients = values.coefficients;
@@ -48,9 +49,9 @@ class SimulatedModel : public LawModel {
       family.evaluate(step);
       of_steps_N.push_back(family.values().front().force_N);
     }
-    for (std::size_t i = 0; i < places_.size(); ++i)
-      force_N[i] = (1 - places_[i].share) * of_steps_N[places_[i].before] +
-                   places_[i].share * of_steps_N[places_[i].after];
+    for (std::size_t i = 0; i < interpolations_.size(); ++i)
+      force_N[i] = (1 - interpolations_[i].share) * of_steps_N[interpolations_[i].before] +
+                   interpolations_[i].share * of_steps_N[interpolations_[i].after];
   }
   double deformationScale_m() const override { return deformation_scale_m_; }
   double rateScale_m_s() const override { return rate_scale_m_s_; }
@@ -62,8 +63,8 @@ class SimulatedModel : public LawModel {
     for (const std::size_t size : run.inputs.row_sizes)
       first.push_back(first.back() + size * run.laws.size());
     std::map<std::size_t, std::size_t> kept;
-    for (Place& place : places_) {
-      for (std::size_t* step : {&place.before, &place.after}) {
+    for (StepInterpolation& between : interpolations_) {
+      for (std::size_t* step : {&between.before, &between.after}) {
         const auto [entry, is_new] = kept.try_emplace(*step, steps_.size());
         if (is_new) {
           const auto inputs = run.inputs.inputs.begin();
@@ -92,7 +93,7 @@ class SimulatedModel : public LawModel {
   ForceModel law_;
   std::vector<ForceSettings> scenario_laws_;
   ForceSettings seen_as_;
-  std::vector<Place> places_;
+  std::vector<StepInterpolation> interpolations_;
   std::vector<std::vector<LawInput>> steps_;
   double deformation_scale_m_ = 0, rate_scale_m_s_ = 0;
 };
@@ -108,14 +109,14 @@ std::vector<std::size_t> deepeningSteps(const SimulatedRun& run) {
 }
 
 /// Places of `at` among ascending `values`, one a step in `steps`; none where it is outside.
-bool findPlace(double at, const std::vector<double>& values, const std::vector<std::size_t>& steps,
-               Place& place) {
+bool interpolationAt(double at, const std::vector<double>& values, const std::vector<std::size_t>& steps,
+                     StepInterpolation& between) {
   if (values.empty() || !(at >= values.front()) || at > values.back()) return false;
   const auto after =
       static_cast<std::size_t>(std::lower_bound(values.begin(), values.end(), at) - values.begin());
   const std::size_t before = after == 0 ? 0 : after - 1;
   const double gap = values[after] - values[before];
-  place = {steps[before], steps[after], gap > 0 ? (at - values[before]) / gap : 0};
+  between = {steps[before], steps[after], gap > 0 ? (at - values[before]) / gap : 0};
   return true;
 }
 
@@ -124,15 +125,16 @@ double meanSquare(const std::vector<double>& values) {
          static_cast<double>(values.size());
 }
 
-/// `places` of the points of `curve`.
-std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run, const std::vector<Place>& places) {
+/// `interpolations`: one per point of `curve`.
+std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run,
+                     const std::vector<StepInterpolation>& interpolations) {
   if (curve.rate_m_s.empty()) return "";
   std::vector<double> simulated_m_s;
-  for (const Place& place : places) {
-    const std::size_t after = std::max(place.after, place.before + 1);
+  for (const StepInterpolation& between : interpolations) {
+    const std::size_t after = std::max(between.after, between.before + 1);
     if (after < run.way_m.size())
-      simulated_m_s.push_back((run.way_m[after] - run.way_m[place.before]) /
-                              (run.inputs.times_s[after] - run.inputs.times_s[place.before]));
+      simulated_m_s.push_back((run.way_m[after] - run.way_m[between.before]) /
+                              (run.inputs.times_s[after] - run.inputs.times_s[between.before]));
   }
   if (simulated_m_s.empty()) return "";
   const double measured_m2_s2 = meanSquare(curve.rate_m_s) - meanSquare(curve.rate_noise_m_s);
@@ -187,15 +189,15 @@ SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const Mea
   std::vector<double> values;
   for (const std::size_t step : steps)
     values.push_back(by == MatchBy::time ? run.inputs.times_s[step] : run.way_m[step]);
-  std::vector<Place> places;
+  std::vector<StepInterpolation> interpolations;
   std::vector<std::size_t> reached;
   for (std::size_t i = 0; i < measured.size(); ++i) {
-    Place place;
-    if (!findPlace(measured[i], values, steps, place)) continue;
-    places.push_back(place);
+    StepInterpolation between;
+    if (!interpolationAt(measured[i], values, steps, between)) continue;
+    interpolations.push_back(between);
     reached.push_back(i);
   }
-  if (places.empty())
+  if (interpolations.empty())
     throw InputError("the simulation reaches none of its " + what +
                      (values.empty() ? ": it meets no tissue"
                                      : ": it has " + fourDigits(values.front()) + " to " +
@@ -209,9 +211,9 @@ SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const Mea
   if (!back.empty()) kept.warnings.push_back(back);
   const bool rates =
       std::any_of(kept.rate_m_s.begin(), kept.rate_m_s.end(), [](double rate) { return rate != 0; });
-  const std::string rate_note = by_depth ? rateNote(kept, run, places) : "";
-  return {std::make_unique<SimulatedModel>(law, run, std::move(places), !by_depth || rates), std::move(kept),
-          rate_note};
+  const std::string rate_note = by_depth ? rateNote(kept, run, interpolations) : "";
+  return {std::make_unique<SimulatedModel>(law, run, std::move(interpolations), !by_depth || rates),
+          std::move(kept), rate_note};
 }
 
 }  // namespace fissure

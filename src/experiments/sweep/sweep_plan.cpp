@@ -88,7 +88,7 @@ void SweepPlan::makeTasks() {
   std::unordered_map<std::string, Group> groups;
   const std::size_t entries = manifest_.pipelines.size();
   const int repeats = manifest_.settings.repeats;
-  places_.reserve(manifest_.points.size() * entries * static_cast<std::size_t>(repeats));
+  run_sources_.reserve(manifest_.points.size() * entries * static_cast<std::size_t>(repeats));
   for (std::size_t point = 0; point < manifest_.points.size(); ++point) {
     for (std::size_t entry = 0; entry < entries; ++entry) {
       const std::string physics = std::to_string(entry) + ": " + key(point, entry, false);
@@ -100,7 +100,7 @@ void SweepPlan::makeTasks() {
       for (int repeat = 0; repeat < repeats; ++repeat) {
         const std::size_t task = group->second.first_task + static_cast<std::size_t>(repeat);
         if (new_law) tasks_[task].laws.push_back(point);
-        places_.push_back({task, law->second});
+        run_sources_.push_back({task, law->second});
       }
     }
   }
@@ -165,7 +165,7 @@ void SweepPlan::nameTasks() {
     }
     task.id = fnv1a64(text);
   }
-  for (Place& place : places_) place.law = moved[place.task][place.law];
+  for (RunSource& source : run_sources_) source.law = moved[source.task][source.law];
   rankTasks();
 }
 
@@ -187,9 +187,9 @@ bool SweepPlan::reads(std::size_t entry, std::size_t axis) const {
 PlannedRun SweepPlan::run(std::size_t index) const {
   const auto repeats = static_cast<std::size_t>(manifest_.settings.repeats);
   const std::size_t entries = manifest_.pipelines.size();
-  const Place& place = places_[index];
+  const RunSource& source = run_sources_[index];
   return {index / (entries * repeats), index / repeats % entries, static_cast<int>(index % repeats),
-          place.task, place.law};
+          source.task, source.law};
 }
 
 std::vector<Override> SweepPlan::overrides(const SweepTask& task) const {

@@ -44,7 +44,7 @@ class SweepPlan {
   /// Where relative file names of the scenario start.
   const std::filesystem::path& directory() const { return base_.scenario.directory; }
 
-  std::size_t runs() const { return places_.size(); }
+  std::size_t runs() const { return run_sources_.size(); }
   PlannedRun run(std::size_t index) const;
   const std::vector<SweepTask>& tasks() const { return tasks_; }
 
@@ -70,7 +70,8 @@ class SweepPlan {
     std::string coefficient;    ///< "k", "lambda", "n" or "c"
     std::string only_entry;     ///< the only entry that reads it; empty: all do
   };
-  struct Place {
+  /// The simulation that a run is a part of, and which of its sets of laws is the run's.
+  struct RunSource {
     std::size_t task, law;
   };
 
@@ -89,8 +90,8 @@ class SweepPlan {
   std::vector<std::string> plain_;     ///< of the points' texts: numbers that are equal have equal texts
   std::vector<std::size_t> text_ids_;  ///< of the points' texts: the first with the same plain text
   std::vector<SweepTask> tasks_;
-  std::vector<std::size_t> ranks_;  ///< of the tasks among their names
-  std::vector<Place> places_;       ///< of the runs
+  std::vector<std::size_t> ranks_;      ///< of the tasks among their names
+  std::vector<RunSource> run_sources_;  ///< one per run
 };
 
 }  // namespace fissure

@@ -59,10 +59,11 @@ std::string countText(double count) {
   return text.str();
 }
 
-void refuseTooMany(const fs::path& file, double runs, bool many) {
+void refuseTooMany(const fs::path& file, double runs, bool allow_many) {
   const std::string found = file.string() + ": plans " + countText(runs) + " runs, expected at most ";
   if (runs > max_sweep_runs) throw InputError(found + countText(max_sweep_runs));
-  if (runs > many_sweep_runs && !many) throw InputError(found + countText(many_sweep_runs) + ", or --yes");
+  if (runs > many_sweep_runs && !allow_many)
+    throw InputError(found + countText(many_sweep_runs) + ", or --yes");
 }
 
 /// Points in which every value of every axis is at least once.
@@ -107,11 +108,14 @@ std::string nameIn(const fs::path& folder, const std::string& ours) {
 
 class Planner {
  public:
-  Planner(fs::path file, fs::path folder, bool many) : file_(std::move(file)), folder_(std::move(folder)) {
+  Planner(fs::path file, fs::path folder, bool allow_many)
+      : file_(std::move(file)), folder_(std::move(folder)) {
     requireText(wholePath(folder_));
     manifest_.settings = loadSweep(file_);
     base_file_ = (manifest_.settings.directory / manifest_.settings.base).lexically_normal();
-    base_ = checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false}).loaded;
+    const CheckedScenario checked =
+        checkScenario(base_file_, {manifest_.settings.pipelines, {}, true, false});
+    base_ = checked.loaded;
     requireText(wholePath(base_.scenario.directory));
     const LoadedScenario all = parseScenario(base_.composed, base_file_);
     all_entries_ = all.scenario.pipelines;
@@ -121,12 +125,12 @@ class Planner {
     for (const PipelineSettings& entry : base_.scenario.pipelines) manifest_.pipelines.push_back(entry.name);
     const double runs = SweepPoints::designed(manifest_.settings) *
                         static_cast<double>(manifest_.pipelines.size()) * manifest_.settings.repeats;
-    refuseTooMany(file_, runs, many);
+    refuseTooMany(file_, runs, allow_many);
     manifest_.points = SweepPoints(manifest_.settings);
     if (manifest_.points.size() == 0)
       throw InputError(file_.string() + ": exclude leaves no point, expected some");
     checkAxes();
-    addCurves();
+    addCurves(checked);
     addEngines();
     addFit();
     for (const fs::path& input : all.inputs) addInput(input);
@@ -147,9 +151,9 @@ class Planner {
       manifest_.engines[precision] = hashOf(engineProgram(precision));
   }
 
-  void addCurves() {
+  void addCurves(const CheckedScenario& checked) {
     if (!manifest_.settings.curves) return;
-    const RecordLayout layout = layoutOf(base_.scenario, base_.scenario.pipelines.front());
+    const RecordLayout layout = layoutOf(checked, checked.loaded.scenario.pipelines.front());
     manifest_.curves = curveQuantities(manifest_.settings.curves->quantities, layout,
                                        file_.string() + ": curves.quantities");
   }
@@ -316,8 +320,8 @@ class Planner {
 
 }  // namespace
 
-SweepManifest planSweep(const fs::path& file, const fs::path& folder, bool many) {
-  return Planner(file, folder, many).take();
+SweepManifest planSweep(const fs::path& file, const fs::path& folder, bool allow_many) {
+  return Planner(file, folder, allow_many).take();
 }
 
 void putManifest(const SweepManifest& manifest, const fs::path& folder) {

@@ -26,7 +26,7 @@ SweepState::SweepState(const SweepPlan& plan, const std::filesystem::path& folde
     const TaskRecord record = decodeRecord(bytes);
     const auto at = known.find(record.task);
     if (at == known.end())
-      ++strangers_;
+      ++unplanned_records_;
     else
       take(at->second, record, place);
   });

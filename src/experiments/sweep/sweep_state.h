@@ -54,7 +54,7 @@ class SweepState {
   /// failed, the longest ago first. So slow and crashing ones keep no other from its turn.
   std::vector<std::size_t> unfinished() const;
   /// Finished records that no task of the plan asks for: of an earlier form of the sweep.
-  std::size_t strangers() const { return strangers_; }
+  std::size_t unplannedRecords() const { return unplanned_records_; }
   /// See Journals::damaged().
   const std::vector<std::filesystem::path>& damaged() const { return journals_.damaged(); }
 
@@ -65,7 +65,7 @@ class SweepState {
   const SweepPlan& plan_;
   Journals journals_;
   std::vector<Task> tasks_;
-  std::size_t strangers_ = 0;
+  std::size_t unplanned_records_ = 0;
 };
 
 }  // namespace fissure

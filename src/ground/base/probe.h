@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
 #include "base/record.h"
 #include "base/state.h"
 
@@ -17,5 +20,8 @@ class Probe {
   /// Appends this probe's scalars after the last step; with no sample before, values are NaN, never zero.
   virtual void summarize(Summary& summary) const = 0;
 };
+
+/// The columns of a run's record: `time`, then the probes' series.
+RecordLayout declareLayout(const std::vector<std::unique_ptr<Probe>>& probes);
 
 }  // namespace fissure

@@ -55,6 +55,22 @@ struct StepTiming {
   double collision_us = 0;  ///< the collision part of it: tool against tissue
 };
 
+/// What the contact stage reports of one step: which tissue and which tool nodes met, how many contacts there
+/// were, and what they did to the tools. Arrays as a State has them.
+struct ContactOutcome {
+  std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
+  std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool
+  int candidate_count = 0;                   ///< contacts the detector proposed in this step
+  int infeasible_count = 0;                  ///< of these, excluded by their pair
+  int contact_count = 0;                     ///< acting on the tissue: of these, and of tissue vertices
+  int capped_count = 0;                      ///< of these, limited by the displacement cap
+  /// Momentum the tool contacts took from the tissue in the step, over dt; with response none mass times
+  /// displacement over dt squared, which takes none; NaN where the engine does not say.
+  Vec3 reaction_on_tool_N = Vec3::Zero();
+  /// The same on each tool, where there are several; empty where the engine does not say how they share it.
+  std::vector<Vec3> tool_reactions_N;
+};
+
 /// Everything one step leaves behind, engine-neutral. Arrays run over all bodies (vertices) or all tools
 /// (nodes), concatenated in the Scene's order. One object lives through a run and is overwritten by every
 /// step.
@@ -68,17 +84,7 @@ struct State {
   std::vector<ClampState> clamps;
   std::vector<CouplingState> couplings;
 
-  std::vector<NodeState> node_states;        ///< empty when the pipeline uses no nodes
-  std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex is in a colliding state with a tool
-  int candidate_count = 0;                   ///< contacts the detector proposed in this step
-  int infeasible_count = 0;                  ///< of these, excluded by their pair
-  int contact_count = 0;                     ///< acting on the tissue: of these, and of tissue vertices
-  int capped_count = 0;                      ///< of these, limited by the displacement cap
-  /// Momentum the tool contacts took from the tissue in the step, over dt; with response none mass times
-  /// displacement over dt squared, which takes none; NaN where the engine does not say.
-  Vec3 reaction_on_tool_N = Vec3::Zero();
-  /// The same on each tool, where there are several; empty where the engine does not say how they share it.
-  std::vector<Vec3> tool_reactions_N;
+  ContactOutcome contact;
   std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
   std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
   /// With at least one vertex in a colliding state: indices over all bodies, ascending; empty without force

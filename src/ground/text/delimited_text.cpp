@@ -5,7 +5,6 @@
 
 #include "base/error.h"
 #include "text/did_you_mean.h"
-#include "text/log_text.h"
 
 namespace fissure {
 namespace {
@@ -27,8 +26,8 @@ std::string missingColumn(const std::string& name, const std::vector<std::string
 
 }  // namespace
 
-DelimitedText::DelimitedText(const std::filesystem::path& file)
-    : file_(file.string()), text_(readLogText(file)) {
+DelimitedText::DelimitedText(const std::filesystem::path& file, const LogFiles& files)
+    : file_(file.string()), text_(files.text(file)) {
   std::string_view header;
   if (!takeLine(header)) throw InputError(file_ + ": is empty, expected a header line of column names");
   header_line_ = line_;

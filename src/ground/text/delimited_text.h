@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "text/log_table.h"
+#include "text/log_text.h"
 
 namespace fissure {
 
@@ -18,7 +19,7 @@ namespace fissure {
 class DelimitedText : public LogTable {
  public:
   /// Reads the file and its header. Throws InputError when it is missing, unreadable, empty or binary.
-  explicit DelimitedText(const std::filesystem::path& file);
+  explicit DelimitedText(const std::filesystem::path& file, const LogFiles& files = LogFiles());
   DelimitedText(const DelimitedText&) = delete;  // cells_ points into text_
   DelimitedText& operator=(const DelimitedText&) = delete;
 

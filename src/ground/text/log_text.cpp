@@ -45,6 +45,11 @@ std::string readLogText(const std::filesystem::path& file) {
   return text;
 }
 
+const std::string& LogFiles::text(const std::filesystem::path& file) const {
+  const auto known = texts_.find(file);
+  return known != texts_.end() ? known->second : texts_.emplace(file, readLogText(file)).first->second;
+}
+
 char findDelimiter(std::string_view line) {
   constexpr std::string_view candidates = ",;\t";
   std::array<int, 3> counts = {0, 0, 0};

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,6 +11,16 @@ namespace fissure {
 /// The whole text of a log, without a byte order mark. Throws InputError when it is missing, unreadable, a
 /// folder or binary.
 std::string readLogText(const std::filesystem::path& file);
+
+/// The texts of logs, each file read once: when it is first asked for.
+class LogFiles {
+ public:
+  /// As readLogText. The reference holds as long as this object.
+  const std::string& text(const std::filesystem::path& file) const;
+
+ private:
+  mutable std::map<std::filesystem::path, std::string> texts_;
+};
 
 /// What divides the cells of a line: the most frequent of comma, semicolon and tab outside double quotes, or
 /// else blanks.

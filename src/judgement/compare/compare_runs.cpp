@@ -93,7 +93,7 @@ class SeriesComparer {
   const std::vector<std::size_t>& partners(const std::string& row_axis, std::string& problem);
   const std::vector<double>& times_s(const RunReader& reader, const std::string& row_axis);
   std::vector<double> rowsOfA(const StoredQuantity& a, std::span<const std::size_t> partners) const;
-  std::string placeName(const StoredQuantity& b, const Place& place);
+  std::string placeName(const StoredQuantity& b, const ValueIndex& place);
   std::string rowName(const StoredQuantity& b, std::size_t row);
 
   const CompareSettings& settings_;
@@ -164,7 +164,7 @@ std::string SeriesComparer::rowName(const StoredQuantity& b, std::size_t row) {
          (row < times.size() ? " (" + withUnit(times[row], "s") + ")" : "");
 }
 
-std::string SeriesComparer::placeName(const StoredQuantity& b, const Place& place) {
+std::string SeriesComparer::placeName(const StoredQuantity& b, const ValueIndex& place) {
   const std::string row = rowName(b, place.row);
   const std::string column = columnName(b, place.column);
   return row + (row.empty() || column.empty() ? "" : ", ") + column;

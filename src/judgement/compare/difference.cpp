@@ -49,7 +49,7 @@ struct Paired {
 
 }  // namespace
 
-void DifferenceMeter::compare(double a, double b, const Place& place, double& of_row) {
+void DifferenceMeter::compare(double a, double b, const ValueIndex& place, double& of_row) {
   if (!std::isnan(a)) result_.largest_a = std::max(result_.largest_a, std::abs(a));
   if (!std::isnan(b)) result_.largest_b = std::max(result_.largest_b, std::abs(b));
   if (std::isnan(a) || std::isnan(b)) {

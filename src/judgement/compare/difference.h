@@ -8,24 +8,24 @@
 namespace fissure {
 
 /// A value of a series: its row (a step, a snapshot), and its place in the row.
-struct Place {
+struct ValueIndex {
   std::size_t row = 0;
   std::size_t column = 0;
 
-  bool operator==(const Place&) const = default;
+  bool operator==(const ValueIndex&) const = default;
 };
 
 /// How two series A and B differ, as maximum norms: one value that flew off is never hidden by others.
 struct Difference {
-  double largest = 0;          ///< max |A - B| over the numbers; infinite where one of two is
-  std::optional<Place> worst;  ///< of it; no value when no number differs
-  std::optional<Place> first;  ///< the first value that differs, NaN too
-  std::size_t count = 0;       ///< values that differ
-  std::size_t rows = 0;        ///< compared
-  double largest_a = 0;        ///< max |A|
-  double largest_b = 0;        ///< max |B|
-  std::optional<Place> nan_a;  ///< first NaN of A that is not allowed: any, or one that only A has
-  std::optional<Place> nan_b;
+  double largest = 0;               ///< max |A - B| over the numbers; infinite where one of two is
+  std::optional<ValueIndex> worst;  ///< of it; no value when no number differs
+  std::optional<ValueIndex> first;  ///< the first value that differs, NaN too
+  std::size_t count = 0;            ///< values that differ
+  std::size_t rows = 0;             ///< compared
+  double largest_a = 0;             ///< max |A|
+  double largest_b = 0;             ///< max |B|
+  std::optional<ValueIndex> nan_a;  ///< first NaN of A that is not allowed: any, or one that only A has
+  std::optional<ValueIndex> nan_b;
 };
 
 /// What counts as a difference.
@@ -47,7 +47,7 @@ class DifferenceMeter {
   std::optional<std::size_t> firstRowBeyond(double allowed) const;
 
  private:
-  void compare(double a, double b, const Place& place, double& of_row);
+  void compare(double a, double b, const ValueIndex& place, double& of_row);
 
   std::size_t columns_;
   DifferenceRules rules_;

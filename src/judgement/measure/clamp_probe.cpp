@@ -80,14 +80,14 @@ void ClampProbe::declare(RecordLayout& layout) {
 }
 
 void ClampProbe::sample(const State& state, RecordRow& row) {
-  const bool known = !state.tool_reactions_N.empty();
+  const bool known = !state.contact.tool_reactions_N.empty();
   for (std::size_t c = 0; c < clamps_.size(); ++c) {
     const SceneClamp& clamp = clamps_[c];
     if (opening_column_) row[*opening_column_ + c] = clamp.hinged ? kMissing : state.clamps[c].opening;
     if (angle_column_) row[*angle_column_ + c] = clamp.hinged ? state.clamps[c].opening : kMissing;
-    const Vec3 reaction_N =
-        known ? Vec3(state.tool_reactions_N[clamp.left_tool] + state.tool_reactions_N[clamp.right_tool])
-              : Vec3(Vec3::Constant(kMissing));
+    const Vec3 reaction_N = known ? Vec3(state.contact.tool_reactions_N[clamp.left_tool] +
+                                         state.contact.tool_reactions_N[clamp.right_tool])
+                                  : Vec3(Vec3::Constant(kMissing));
     writeVector(reaction_N, reaction_column_ + 3 * c, row);
     final_reactions_N_[c] = known ? std::optional(reaction_N.norm()) : std::nullopt;
   }

@@ -74,33 +74,34 @@ void ContactProbe::declare(RecordLayout& layout) {
 }
 
 void ContactProbe::sample(const State& state, RecordRow& row) {
-  row[contact_column_] = state.contact_count;
+  row[contact_column_] = state.contact.contact_count;
   if (node_count_ > 0) {
-    row[infeasible_column_] = state.infeasible_count;
-    row[candidate_column_] = state.candidate_count;
-    row[capped_column_] = state.capped_count;
+    row[infeasible_column_] = state.contact.infeasible_count;
+    row[candidate_column_] = state.contact.candidate_count;
+    row[capped_column_] = state.contact.capped_count;
     countSwitches(state);
   }
-  writeVector(state.reaction_on_tool_N, reaction_column_, row);
+  writeVector(state.contact.reaction_on_tool_N, reaction_column_, row);
   for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const bool known = !state.tool_reactions_N.empty();
-    writeVector(known ? state.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
+    const bool known = !state.contact.tool_reactions_N.empty();
+    writeVector(known ? state.contact.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
                 tool_reaction_column_ + 3 * t, row);
   }
 
   if (steps_ == 0) first_time_s_ = state.time_s;
   last_time_s_ = state.time_s;
   ++steps_;
-  contacts_total_ += state.contact_count;
-  max_contacts_ = std::max<long long>(max_contacts_, state.contact_count);
-  if (state.contact_count > 0 && std::isnan(first_contact_time_s_)) first_contact_time_s_ = state.time_s;
+  contacts_total_ += state.contact.contact_count;
+  max_contacts_ = std::max<long long>(max_contacts_, state.contact.contact_count);
+  if (state.contact.contact_count > 0 && std::isnan(first_contact_time_s_))
+    first_contact_time_s_ = state.time_s;
 }
 
 void ContactProbe::countSwitches(const State& state) {
   const bool first = acting_.empty();
   acting_.resize(node_count_, 0);
   for (std::size_t i = 0; i < node_count_; ++i) {
-    const NodeState node = state.node_states[i];
+    const NodeState node = state.contact.node_states[i];
     const std::uint8_t acting = node == NodeState::feasible || node == NodeState::capped;
     if (!first && acting != acting_[i]) ++switches_;
     acting_[i] = acting;

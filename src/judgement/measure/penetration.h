@@ -70,7 +70,7 @@ class PenetrationMeter {
     std::size_t deepest = 0, nearest = 0;  // samples of the last step, looked at first
   };
   /// Where a tool is, in the frame of the surface trees.
-  struct Place {
+  struct ToolPlacement {
     Mat3 rotation = Mat3::Identity();
     Vec3 origin_m = Vec3::Zero();
     Vec3 of(const Vec3& point) const { return rotation * point + origin_m; }
@@ -79,7 +79,7 @@ class PenetrationMeter {
     ToolShape shape;
     ToolSamples samples;
     TreeBox extent;  // of the samples, in the tool's frame
-    Place now, before;
+    ToolPlacement now, before;
     std::vector<std::uint8_t> passed;
     std::vector<Pair> pairs;  // one a body
 

@@ -186,7 +186,7 @@ State SnapshotReader::at(std::size_t snapshot) const {
     const auto states =
         indices(row("node_state", snapshot, {static_cast<std::size_t>(scene_.nodeCount())}), 0, 4);
     if (!states) throw InputError(path_.string() + ": damaged: node_state holds no states of nodes");
-    for (const int value : *states) state.node_states.push_back(static_cast<NodeState>(value));
+    for (const int value : *states) state.contact.node_states.push_back(static_cast<NodeState>(value));
   }
   return state;
 }

@@ -158,15 +158,16 @@ void SnapshotWriter::addClamps(GroupBuilder& group, const Scene& scene) {
 
 bool SnapshotWriter::append(const State& state) {
   const auto fits = [](std::size_t size, std::size_t expected) { return size == 0 || size == expected; };
-  if (state.positions_m.size() != vertices_ || !fits(state.vertex_contact.size(), vertices_) ||
-      !fits(state.node_states.size(), nodes_) || state.clamps.size() < placed_clamps_) {
+  if (state.positions_m.size() != vertices_ || !fits(state.contact.vertex_contact.size(), vertices_) ||
+      !fits(state.contact.node_states.size(), nodes_) || state.clamps.size() < placed_clamps_) {
     throw std::logic_error("a snapshot does not fit its scene");
   }
   for (const Vec3& position_m : state.positions_m) {
     positions_.insert(positions_.end(), position_m.data(), position_m.data() + 3);
   }
-  contacts_.insert(contacts_.end(), state.vertex_contact.begin(), state.vertex_contact.end());
-  for (const NodeState node : state.node_states) node_states_.push_back(static_cast<std::uint8_t>(node));
+  contacts_.insert(contacts_.end(), state.contact.vertex_contact.begin(), state.contact.vertex_contact.end());
+  for (const NodeState node : state.contact.node_states)
+    node_states_.push_back(static_cast<std::uint8_t>(node));
   for (std::size_t c = 0; c < placed_clamps_; ++c) {
     const Pose& pose = state.clamps[c].pose;
     clamp_positions_.insert(clamp_positions_.end(), pose.position_m.data(), pose.position_m.data() + 3);

@@ -25,16 +25,14 @@ void move(const ContactConstraint& contact, const Vec3& push_kg_m, std::span<con
 }  // namespace
 
 void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
-                            std::span<const double> inverse_masses,
-                            const std::vector<ToolState>& tools_before,
-                            const std::vector<ToolState>& tools_now, std::span<const Vec3> before_m,
-                            std::span<Vec3> positions_m) {
-  prepare(constraints, inverse_masses, tools_before, tools_now, before_m);
+                            std::span<const double> inverse_masses, const StepView& step) {
+  const std::span<Vec3> positions_m = step.positions_m;
+  prepare(constraints, inverse_masses, step);
   start_m_.assign(positions_m.begin(), positions_m.end());
   pushOut(constraints, inverse_masses, positions_m);
   way_m_.resize(positions_m.size());
   for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    way_m_[v] = start_m_[v] - before_m[v];
+    way_m_[v] = start_m_[v] - step.before_m[v];
     motion_m_[v] = positions_m[v] - start_m_[v];
   }
   forgetOldOverlap(constraints, inverse_masses);
@@ -60,9 +58,7 @@ Vec3 ContactImpulses::ofTool(int tool, std::span<const ContactConstraint> constr
 }
 
 void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
-                              std::span<const double> inverse_masses,
-                              const std::vector<ToolState>& tools_before,
-                              const std::vector<ToolState>& tools_now, std::span<const Vec3> before_m) {
+                              std::span<const double> inverse_masses, const StepView& step) {
   pushes_.assign(constraints.size(), {});
   normals_.resize(constraints.size());
   for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -72,13 +68,13 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
     push.vertex = contact.vertices[0];
     for (int j = 0; j < 3; ++j)
       push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
-    const Pose& from = tools_before[contact.tool].pose;
-    const Pose& to = tools_now[contact.tool].pose;
+    const Pose& from = step.tools_before[contact.tool].pose;
+    const Pose& to = step.tools_now[contact.tool].pose;
     const Vec3 was_at_m = from.toScene(to.toBody(contact.position_m));
     const Vec3 normal_was = from.rotateToScene(to.rotateToBody(contact.normal));
     push.tool_way_m = (contact.position_m - was_at_m).dot(contact.normal);
-    push.old_overlap_m = contact.target_m - (pointOf(contact, before_m) - was_at_m).dot(normal_was);
-    if (contact.friction > 0) push.stuck_at_m = to.toScene(from.toBody(pointOf(contact, before_m)));
+    push.old_overlap_m = contact.target_m - (pointOf(contact, step.before_m) - was_at_m).dot(normal_was);
+    if (contact.friction > 0) push.stuck_at_m = to.toScene(from.toBody(pointOf(contact, step.before_m)));
   }
 }
 

@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "base/state.h"
 #include "contact/contact_constraint.h"
+#include "contact/step_view.h"
 
 namespace fissure {
 
@@ -21,11 +21,9 @@ class ContactImpulses {
  public:
   ContactImpulses(int vertex_count, int sweeps) : sweeps_(sweeps), motion_m_(vertex_count) {}
 
-  /// Moves `positions_m` in place. `before_m`: the tissue at the start of the step; tools likewise.
-  /// inverse_masses in 1/kg, 0: fixed.
+  /// Moves the step's positions_m in place. inverse_masses: one per vertex in 1/kg, 0: fixed.
   void apply(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
-             const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
-             std::span<const Vec3> before_m, std::span<Vec3> positions_m);
+             const StepView& step);
 
   /// Of the last apply, for each vertex: its displacement as far as it is motion; over the time step, the
   /// change of its velocity.
@@ -50,8 +48,7 @@ class ContactImpulses {
     Vec3 stuck_at_m = Vec3::Zero();     ///< the tissue point had it gone with the tool; only with friction
   };
   void prepare(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
-               const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
-               std::span<const Vec3> before_m);
+               const StepView& step);
   void pushOut(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
                std::span<Vec3> positions_m);
   void forgetOldOverlap(std::span<const ContactConstraint> constraints,

@@ -18,35 +18,30 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
     impulses_.emplace(scene.vertexCount(), settings_.sweeps);
   put_inside_.assign(scene.tools.size(), 1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const std::vector<Vec3>& rest_m = scene.bodies[b].rest.vertices_m;
-    before_m_.insert(before_m_.end(), rest_m.begin(), rest_m.end());
+    const std::size_t vertices = scene.bodies[b].rest.vertices_m.size();
     const double scale = settings_.time_scales.empty() ? 1 : settings_.time_scales.at(b);
-    force_factors_.insert(force_factors_.end(), rest_m.size(), 1 / (scale * scale));
+    force_factors_.insert(force_factors_.end(), vertices, 1 / (scale * scale));
     if (!settings_.tool_frictions.empty())
-      frictions_.insert(frictions_.end(), rest_m.size(), settings_.body_frictions.at(b));
+      frictions_.insert(frictions_.end(), vertices, settings_.body_frictions.at(b));
   }
 }
 
-void NodeContact::step(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
-                       const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
-                       double dt_s, State& state, ContactPatch& patch) {
+void NodeContact::step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
+                       ContactPatch& patch) {
   StageClock clock;
-  detect(positions_m, tools_before, tools_now, clock);
+  detect(step, clock);
   if (settings_.vertex_contacts) noteToolsPutInside();
   collectConstraints();
   clock.lap(times_.association_s);
-  if (vertex_sides_)
-    vertex_sides_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
-  if (rim_edges_)
-    rim_edges_->find(positions_m, before_m_, tools_now, tools_before, put_inside_, constraints_);
-  if (!frictions_.empty()) roughen();
+  if (vertex_sides_) vertex_sides_->find(step, put_inside_, constraints_);
+  if (rim_edges_) rim_edges_->find(step, put_inside_, constraints_);
+  if (!frictions_.empty()) setFriction();
   clock.lap(times_.vertex_contacts_s);
-  if (patch.tools.size() > 1) noteDisplacements(positions_m);
-  state.reaction_on_tool_N = respond(positions_m, inverse_masses, tools_before, tools_now, dt_s);
-  shareReaction(dt_s, state.tool_reactions_N);
+  if (patch.tools.size() > 1) noteDisplacements(step.positions_m);
+  outcome.reaction_on_tool_N = respond(step, inverse_masses);
+  shareReaction(step.dt_s, outcome.tool_reactions_N);
   clock.lap(times_.displacement_s);
-  report(state, patch);
-  std::copy(positions_m.begin(), positions_m.end(), before_m_.begin());
+  report(outcome, patch);
   clock.lap(times_.report_s);
 }
 
@@ -58,15 +53,14 @@ const DisplacementCounts& NodeContact::displacementCounts() const {
   return impulses_ ? impulses_->counts() : displacement_.counts();
 }
 
-Vec3 NodeContact::respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
-                          const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
-                          double dt_s) {
+Vec3 NodeContact::respond(const StepView& step, std::span<const double> inverse_masses) {
+  const double dt_squared = step.dt_s * step.dt_s;
   if (impulses_) {
-    impulses_->apply(constraints_, inverse_masses, tools_before, tools_now, before_m_, positions_m);
-    return -impulses_->total(force_factors_) / (dt_s * dt_s);
+    impulses_->apply(constraints_, inverse_masses, step);
+    return -impulses_->total(force_factors_) / dt_squared;
   }
-  displacement_.apply(constraints_, inverse_masses, positions_m);
-  return -displacement_.movedMass(inverse_masses, positions_m, force_factors_) / (dt_s * dt_s);
+  displacement_.apply(constraints_, inverse_masses, step.positions_m);
+  return -displacement_.movedMass(inverse_masses, step.positions_m, force_factors_) / dt_squared;
 }
 
 // Enforced displacement mixes at a vertex what several tools displace there: then nobody can say.
@@ -78,12 +72,11 @@ void NodeContact::shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N
         -impulses_->ofTool(static_cast<int>(t), constraints_, force_factors_) / (dt_s * dt_s);
 }
 
-void NodeContact::detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
-                         const std::vector<ToolState>& tools_now, StageClock& clock) {
+void NodeContact::detect(const StepView& step, StageClock& clock) {
   candidates_.clear();
   for (int body = 0; body < rays_.bodyCount(); ++body) {
     const std::size_t first = candidates_.size();
-    rays_.cast(body, positions_m, before_m_, tools_now, tools_before, candidates_);
+    rays_.cast(body, step, candidates_);
     clock.lap(times_.rays_s);
     if (settings_.association) associations_[body].judge(std::span(candidates_).subspan(first));
     clock.lap(times_.association_s);
@@ -122,7 +115,7 @@ void NodeContact::limitDisplacement(NodeCandidate& candidate) const {
   candidate.state = NodeState::capped;
 }
 
-void NodeContact::roughen() {
+void NodeContact::setFriction() {
   for (ContactConstraint& contact : constraints_)
     contact.friction = frictions_[contact.vertices[0]] * settings_.tool_frictions[contact.tool];
 }
@@ -135,12 +128,12 @@ void NodeContact::noteDisplacements(std::span<const Vec3> positions_m) {
   }
 }
 
-void NodeContact::report(State& state, ContactPatch& patch) const {
-  state.node_states.assign(node_count_, NodeState::free);
-  state.candidate_count = static_cast<int>(candidates_.size());
-  state.contact_count = static_cast<int>(constraints_.size());
-  state.infeasible_count = static_cast<int>(candidates_.size() - node_constraints_);
-  state.capped_count = 0;
+void NodeContact::report(ContactOutcome& outcome, ContactPatch& patch) const {
+  outcome.node_states.assign(node_count_, NodeState::free);
+  outcome.candidate_count = static_cast<int>(candidates_.size());
+  outcome.contact_count = static_cast<int>(constraints_.size());
+  outcome.infeasible_count = static_cast<int>(candidates_.size() - node_constraints_);
+  outcome.capped_count = 0;
   patch.clear();
   std::size_t acting = 0;
   const auto displacement_m = [&](std::size_t contact) {
@@ -148,10 +141,10 @@ void NodeContact::report(State& state, ContactPatch& patch) const {
   };
   for (const NodeCandidate& candidate : candidates_) {
     // With several bodies a node shows its acting contact rather than an excluded one.
-    NodeState& shown = state.node_states[candidate.node];
+    NodeState& shown = outcome.node_states[candidate.node];
     if (shown == NodeState::free || shown == NodeState::infeasible) shown = candidate.state;
     if (candidate.state == NodeState::infeasible) continue;
-    if (candidate.state == NodeState::capped) ++state.capped_count;
+    if (candidate.state == NodeState::capped) ++outcome.capped_count;
     patch.touchFace(candidate.constraint.tool, rays_.firstFace(candidate.body) + candidate.face,
                     candidate.constraint.normal, displacement_m(acting++));
   }

@@ -14,6 +14,7 @@
 #include "contact/node_association.h"
 #include "contact/node_rays.h"
 #include "contact/rim_edges.h"
+#include "contact/step_view.h"
 #include "contact/vertex_sides.h"
 
 namespace fissure {
@@ -56,12 +57,10 @@ class NodeContact {
  public:
   NodeContact(const Scene& scene, NodeContactSettings settings);
 
-  /// One step, after the engine's own solve. `positions_m` are changed in place; `tools_before` are the tools
-  /// at the start of the step, `tools_now` at its end. inverse_masses in 1/kg, 0: fixed. Fills node_states,
-  /// the counts and reactions of `state`, and `patch`.
-  void step(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
-            const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now, double dt_s,
-            State& state, ContactPatch& patch);
+  /// One step, after the engine's own solve: moves its positions_m in place. inverse_masses: one per vertex
+  /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
+  void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
+            ContactPatch& patch);
 
   /// The share of each vertex's displacement in the last step that changes its velocity; empty for response
   /// none.
@@ -73,19 +72,16 @@ class NodeContact {
   const ContactTimes& times() const { return times_; }
 
  private:
-  void detect(std::span<const Vec3> positions_m, const std::vector<ToolState>& tools_before,
-              const std::vector<ToolState>& tools_now, StageClock& clock);
+  void detect(const StepView& step, StageClock& clock);
   void collectConstraints();
   /// Moves the tissue; the reaction on the tools, newtons: a body's momentum over its own time.
-  Vec3 respond(std::span<Vec3> positions_m, std::span<const double> inverse_masses,
-               const std::vector<ToolState>& tools_before, const std::vector<ToolState>& tools_now,
-               double dt_s);
+  Vec3 respond(const StepView& step, std::span<const double> inverse_masses);
   void shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N) const;
   void noteToolsPutInside();
   void limitDisplacement(NodeCandidate& candidate) const;
-  void roughen();
+  void setFriction();
   void noteDisplacements(std::span<const Vec3> positions_m);
-  void report(State& state, ContactPatch& patch) const;
+  void report(ContactOutcome& outcome, ContactPatch& patch) const;
 
   NodeContactSettings settings_;
   NodeRays rays_;
@@ -108,7 +104,6 @@ class NodeContact {
   std::size_t node_constraints_ = 0;            ///< how many of them are candidates'
   /// Of each constraint before it acts: how far it is short of its target. Empty where one tool takes all.
   std::vector<double> displacements_m_;
-  std::vector<Vec3> before_m_;  ///< tissue at the start of the step: as the last step left it
 };
 
 }  // namespace fissure

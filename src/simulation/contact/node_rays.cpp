@@ -48,36 +48,34 @@ NodeRays::NodeRays(const Scene& scene, std::vector<double> margins_m, std::optio
   }
 }
 
-void NodeRays::Body::noteTravel(std::span<const Vec3> positions_m, std::span<const Vec3> before_m) {
+void NodeRays::Body::noteTravel(const Tissue& tissue) {
   mean_travel_m = Vec3::Zero();
   double largest_squared = 0;
-  for (std::size_t v = 0; v < positions_m.size(); ++v) {
-    const Vec3 travel_m = positions_m[v] - before_m[v];
+  for (std::size_t v = 0; v < tissue.now_m.size(); ++v) {
+    const Vec3 travel_m = tissue.now_m[v] - tissue.before_m[v];
     mean_travel_m += travel_m;
     largest_squared = std::max(largest_squared, travel_m.squaredNorm());
   }
-  mean_travel_m /= static_cast<double>(positions_m.size());
+  mean_travel_m /= static_cast<double>(tissue.now_m.size());
   largest_travel_m = std::sqrt(largest_squared);
 }
 
-void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-                    const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-                    std::vector<NodeCandidate>& candidates) {
+void NodeRays::cast(int body_index, const StepView& step, std::vector<NodeCandidate>& candidates) {
   Body& body = bodies_[body_index];
-  const auto body_positions_m = positions_m.subspan(body.first_vertex, body.vertex_count);
-  const auto body_before_m = before_m.subspan(body.first_vertex, body.vertex_count);
-  body.tree.refit(body_positions_m);
-  body.noteTravel(body_positions_m, body_before_m);
+  const Tissue tissue{.now_m = step.positions_m.subspan(body.first_vertex, body.vertex_count),
+                      .before_m = step.before_m.subspan(body.first_vertex, body.vertex_count)};
+  body.tree.refit(tissue.now_m);
+  body.noteTravel(tissue);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const Node& node = nodes_[i];
-    const Pose& pose = tools_now[node.tool].pose;
-    const Path path{.from_m = tools_before[node.tool].pose.toScene(node.position_m),
+    const Pose& pose = step.tools_now[node.tool].pose;
+    const Path path{.from_m = step.tools_before[node.tool].pose.toScene(node.position_m),
                     .to_m = pose.toScene(node.position_m),
                     .normal = pose.rotateToScene(node.normal)};
-    std::optional<SurfaceHit> hit = hitBehind(body, path, body_positions_m);
-    if (!hit) hit = hitOnPath(body, path, body_positions_m, body_before_m);
+    std::optional<SurfaceHit> hit = hitBehind(body, path, tissue);
+    if (!hit) hit = hitOnPath(body, path, tissue);
     if (!hit) continue;
-    if (node.all_sides && !facesSide(node.normal, pose, body.faces[hit->face], body_positions_m)) continue;
+    if (node.all_sides && !facesSide(node.normal, pose, body.faces[hit->face], tissue.now_m)) continue;
 
     NodeCandidate candidate{.node = static_cast<int>(i), .body = body_index, .face = hit->face};
     candidate.constraint = {.vertices = body.faces[hit->face],
@@ -87,8 +85,8 @@ void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span
                             .tool = node.tool,
                             .target_m = body.margin_m};
     const Face& face = body.faces[hit->face];
-    const Vec3 point_m = pointOf(face, hit->at.weights, body_positions_m);
-    const Vec3 tissue_travel_m = point_m - pointOf(face, hit->at.weights, body_before_m);
+    const Vec3 point_m = pointOf(face, hit->at.weights, tissue.now_m);
+    const Vec3 tissue_travel_m = point_m - pointOf(face, hit->at.weights, tissue.before_m);
     for (int& vertex : candidate.constraint.vertices) vertex += body.first_vertex;
     candidate.depth_m = (path.to_m - point_m).dot(path.normal);
     candidate.approach_m = (path.to_m - path.from_m - tissue_travel_m).dot(path.normal);
@@ -97,22 +95,19 @@ void NodeRays::cast(int body_index, std::span<const Vec3> positions_m, std::span
 }
 
 // Back into the tool and out behind it. Only an exit tells that the ray began inside the tissue.
-std::optional<SurfaceHit> NodeRays::hitBehind(const Body& body, const Path& path,
-                                              std::span<const Vec3> positions_m) {
+std::optional<SurfaceHit> NodeRays::hitBehind(const Body& body, const Path& path, const Tissue& tissue) {
   const Vec3 start_m = path.to_m + body.margin_m * path.normal;
   if (!body.tree.boxHolds(start_m)) return std::nullopt;  // outside the body: its first hit could only enter
   const double travel_m = (path.to_m - path.from_m).norm();
   const double length_m = std::max(ray_length_m_.value_or(body.extent_m), travel_m) + body.margin_m;
   ++rays_;
-  const auto hit = body.tree.firstHit(Ray(start_m, -path.normal, length_m), positions_m, tests_);
+  const auto hit = body.tree.firstHit(Ray(start_m, -path.normal, length_m), tissue.now_m, tests_);
   return hit && hit->at.cosine > 0 ? hit : std::nullopt;
 }
 
 // The way of the step as the tissue saw it: its start is carried along with the tissue, first with the whole
 // body, then with the triangle that this finds. Counts where the node's face leads into the surface.
-std::optional<SurfaceHit> NodeRays::hitOnPath(const Body& body, const Path& path,
-                                              std::span<const Vec3> positions_m,
-                                              std::span<const Vec3> before_m) {
+std::optional<SurfaceHit> NodeRays::hitOnPath(const Body& body, const Path& path, const Tissue& tissue) {
   if ((path.to_m - path.from_m).norm() + body.largest_travel_m <= body.margin_m) return std::nullopt;
   Vec3 carried_m = body.mean_travel_m;
   std::optional<SurfaceHit> hit;
@@ -122,10 +117,11 @@ std::optional<SurfaceHit> NodeRays::hitOnPath(const Body& body, const Path& path
     const double length_m = way_m.norm();
     if (!(length_m > body.margin_m) || !(way_m.dot(path.normal) > 0)) return std::nullopt;
     ++rays_;
-    hit = body.tree.firstHit(Ray(start_m, way_m / length_m, length_m), positions_m, tests_);
+    hit = body.tree.firstHit(Ray(start_m, way_m / length_m, length_m), tissue.now_m, tests_);
     if (!hit || hit->at.cosine > 0) return std::nullopt;
     const Face& face = body.faces[hit->face];
-    carried_m = pointOf(face, hit->at.weights, positions_m) - pointOf(face, hit->at.weights, before_m);
+    carried_m =
+        pointOf(face, hit->at.weights, tissue.now_m) - pointOf(face, hit->at.weights, tissue.before_m);
   }
   return hit;
 }

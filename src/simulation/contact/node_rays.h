@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "base/scene.h"
-#include "base/state.h"
 #include "contact/contact_constraint.h"
 #include "contact/face_tree.h"
+#include "contact/step_view.h"
 
 namespace fissure {
 
@@ -22,11 +22,8 @@ class NodeRays {
   /// extent at rest; never shorter than a node's travel in the step.
   NodeRays(const Scene& scene, std::vector<double> margins_m, std::optional<double> ray_length_m);
 
-  /// Appends the candidates of one body to `candidates`. `positions_m` and `before_m` are all vertices, now
-  /// and at the start of the step; the tools likewise.
-  void cast(int body, std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-            const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-            std::vector<NodeCandidate>& candidates);
+  /// Appends the candidates of one body to `candidates`.
+  void cast(int body, const StepView& step, std::vector<NodeCandidate>& candidates);
 
   int bodyCount() const { return static_cast<int>(bodies_.size()); }
   int firstFace(int body) const { return bodies_[body].first_face; }
@@ -36,6 +33,10 @@ class NodeRays {
   long long tests() const { return tests_; }  ///< ray-triangle tests so far
 
  private:
+  /// The vertices of one body at the end of a step and when it began.
+  struct Tissue {
+    std::span<const Vec3> now_m, before_m;
+  };
   struct Body {
     FaceTree tree;
     std::vector<Face> faces;
@@ -45,7 +46,7 @@ class NodeRays {
     Vec3 mean_travel_m = Vec3::Zero();  ///< of the vertices in this step
     double largest_travel_m = 0;
 
-    void noteTravel(std::span<const Vec3> positions_m, std::span<const Vec3> before_m);
+    void noteTravel(const Tissue& tissue);
   };
   struct Node {
     int tool = 0;
@@ -58,9 +59,8 @@ class NodeRays {
     Vec3 from_m, to_m, normal;
   };
 
-  std::optional<SurfaceHit> hitBehind(const Body& body, const Path& path, std::span<const Vec3> positions_m);
-  std::optional<SurfaceHit> hitOnPath(const Body& body, const Path& path, std::span<const Vec3> positions_m,
-                                      std::span<const Vec3> before_m);
+  std::optional<SurfaceHit> hitBehind(const Body& body, const Path& path, const Tissue& tissue);
+  std::optional<SurfaceHit> hitOnPath(const Body& body, const Path& path, const Tissue& tissue);
 
   std::optional<double> ray_length_m_;
   std::vector<Body> bodies_;

@@ -28,16 +28,15 @@ RimEdges::RimEdges(const Scene& scene, const std::vector<double>& margins_m, dou
   local_before_m_.resize(scene.vertexCount());
 }
 
-void RimEdges::find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-                    const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-                    std::span<const std::uint8_t> put_inside, std::vector<ContactConstraint>& constraints) {
+void RimEdges::find(const StepView& step, std::span<const std::uint8_t> put_inside,
+                    std::vector<ContactConstraint>& constraints) {
   for (const Box& box : boxes_) {
     if (!put_inside.empty() && put_inside[box.tool]) continue;
-    for (std::size_t v = 0; v < positions_m.size(); ++v) {
-      local_m_[v] = tools_now[box.tool].pose.toBody(positions_m[v]);
-      local_before_m_[v] = tools_before[box.tool].pose.toBody(before_m[v]);
+    for (std::size_t v = 0; v < step.positions_m.size(); ++v) {
+      local_m_[v] = step.tools_now[box.tool].pose.toBody(step.positions_m[v]);
+      local_before_m_[v] = step.tools_before[box.tool].pose.toBody(step.before_m[v]);
     }
-    findOn(box, tools_now[box.tool], constraints);
+    findOn(box, step.tools_now[box.tool], constraints);
   }
 }
 

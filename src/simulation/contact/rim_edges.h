@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/scene.h"
-#include "base/state.h"
 #include "contact/contact_constraint.h"
+#include "contact/step_view.h"
 
 namespace fissure {
 
@@ -20,10 +20,9 @@ class RimEdges {
   /// approach, as NodeContactSettings says.
   RimEdges(const Scene& scene, const std::vector<double>& margins_m, double max_displacement_m);
 
-  /// Appends one constraint for each crossing. Arguments as VertexSides::find.
-  void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-            const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-            std::span<const std::uint8_t> put_inside, std::vector<ContactConstraint>& constraints);
+  /// Appends one constraint for each crossing. put_inside: as VertexSides::find has it.
+  void find(const StepView& step, std::span<const std::uint8_t> put_inside,
+            std::vector<ContactConstraint>& constraints);
 
  private:
   struct Box {

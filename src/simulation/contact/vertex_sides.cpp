@@ -27,18 +27,16 @@ VertexSides::VertexSides(const Scene& scene, const std::vector<double>& margins_
   }
 }
 
-void VertexSides::find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-                       const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-                       std::span<const std::uint8_t> put_inside,
+void VertexSides::find(const StepView& step, std::span<const std::uint8_t> put_inside,
                        std::vector<ContactConstraint>& constraints) {
   for (Box& box : boxes_) {
     if (!put_inside.empty() && put_inside[box.tool]) continue;
-    const Pose& now = tools_now[box.tool].pose;
-    const Pose& before = tools_before[box.tool].pose;
-    for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    const Pose& now = step.tools_now[box.tool].pose;
+    const Pose& before = step.tools_before[box.tool].pose;
+    for (std::size_t v = 0; v < step.positions_m.size(); ++v) {
       const Vec3 reach_m = box.half_m + Vec3::Constant(margins_m_[v]);
-      const Vec3 point_m = now.toBody(positions_m[v]);
-      const Vec3 came_from_m = before.toBody(before_m[v]);
+      const Vec3 point_m = now.toBody(step.positions_m[v]);
+      const Vec3 came_from_m = before.toBody(step.before_m[v]);
       std::int8_t& side = box.sides[v];
       if (!boxHolds(reach_m, came_from_m))
         side = static_cast<std::int8_t>(boxEntryFace(reach_m, came_from_m, point_m));

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/scene.h"
-#include "base/state.h"
 #include "contact/contact_constraint.h"
+#include "contact/step_view.h"
 
 namespace fissure {
 
@@ -20,11 +20,10 @@ class VertexSides {
   /// margins_m: one a body.
   VertexSides(const Scene& scene, const std::vector<double>& margins_m);
 
-  /// Appends one constraint for each vertex that must be held in front of its side. Arguments as
-  /// NodeRays::cast. put_inside: one a tool, 1: as if it were not there; empty: none.
-  void find(std::span<const Vec3> positions_m, std::span<const Vec3> before_m,
-            const std::vector<ToolState>& tools_now, const std::vector<ToolState>& tools_before,
-            std::span<const std::uint8_t> put_inside, std::vector<ContactConstraint>& constraints);
+  /// Appends one constraint for each vertex that must be held in front of its side. put_inside: one per tool,
+  /// 1: as if the tool were not there; empty: every tool counts.
+  void find(const StepView& step, std::span<const std::uint8_t> put_inside,
+            std::vector<ContactConstraint>& constraints);
 
  private:
   static constexpr std::int8_t kNoSide = -1;

@@ -25,10 +25,10 @@ class ClusterPipeline : public Pipeline {
 
   void report(State& state, ContactPatch& patch) override {
     std::swap(patch, patch_);
-    state.contact_count = state.candidate_count = contacts_;
+    state.contact.contact_count = state.contact.candidate_count = contacts_;
     // Bullet's solver does not say what its contacts took from the tissue.
-    state.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-    state.tool_reactions_N.clear();
+    state.contact.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    state.contact.tool_reactions_N.clear();
     state.timing.collision_us = world_.world().detection_us;
   }
 

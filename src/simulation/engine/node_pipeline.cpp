@@ -42,6 +42,8 @@ class NodePipeline : public Pipeline {
         contact_(context.scene, contactSettings(context)),
         inverse_masses_(context.world.inverseMasses()),
         positions_m_(context.scene.vertexCount()) {
+    for (const SceneBody& body : context.scene.bodies)
+      before_m_.insert(before_m_.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
     patch_.resize(context.scene.vertexCount(), context.scene.faceCount(),
                   context.scenario.force.empty() ? 0 : context.scene.tools.size());
     world_.solver().setAfterSolve([this] { afterSolve(); });
@@ -53,14 +55,8 @@ class NodePipeline : public Pipeline {
   }
 
   void report(State& state, ContactPatch& patch) override {
-    state.node_states = counts_.node_states;
-    state.candidate_count = counts_.candidate_count;
-    state.infeasible_count = counts_.infeasible_count;
-    state.contact_count = counts_.contact_count;
-    state.capped_count = counts_.capped_count;
-    state.reaction_on_tool_N = counts_.reaction_on_tool_N;
-    state.tool_reactions_N = counts_.tool_reactions_N;
-    state.timing.collision_us = counts_.timing.collision_us;
+    std::swap(state.contact, outcome_);
+    state.timing.collision_us = collision_us_;
     std::swap(patch, patch_);
   }
 
@@ -87,12 +83,18 @@ class NodePipeline : public Pipeline {
     StageClock clock;
     world_.readPositions(positions_m_);
     clock.lap(transfer_s_);
-    contact_.step(positions_m_, inverse_masses_, before_, now_, step_s_, counts_, patch_);
+    contact_.step({.positions_m = positions_m_,
+                   .before_m = before_m_,
+                   .tools_before = before_,
+                   .tools_now = now_,
+                   .dt_s = step_s_},
+                  inverse_masses_, outcome_, patch_);
     clock = {};
     world_.writePositions(positions_m_);
     if (!contact_.motion_m().empty()) world_.addMotion(contact_.motion_m());
+    std::swap(before_m_, positions_m_);
     clock.lap(transfer_s_);
-    counts_.timing.collision_us =
+    collision_us_ =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
 
@@ -101,9 +103,11 @@ class NodePipeline : public Pipeline {
   NodeContact contact_;
   std::vector<double> inverse_masses_;
   std::vector<Vec3> positions_m_;
+  std::vector<Vec3> before_m_;  ///< tissue when the step began: as contacts left it in the last step
   std::vector<ToolState> before_, now_;
-  State counts_;  ///< only the fields that NodeContact fills
-  ContactPatch patch_;
+  ContactOutcome outcome_;  ///< of the step until it is reported
+  ContactPatch patch_;      ///< likewise
+  double collision_us_ = 0;
   double transfer_s_ = 0;  ///< of positions and motion between Bullet and the method, so far
 };
 

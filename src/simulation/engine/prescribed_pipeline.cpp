@@ -15,6 +15,7 @@ class PrescribedPipeline : public Pipeline {
  public:
   explicit PrescribedPipeline(const PipelineContext& context)
       : world_(context.world),
+        step_s_(context.scenario.time.step_s),
         sides_(context.scene, margins(context.scenario)),
         held_(context.scene.vertexCount()),
         inverse_masses_(world_.inverseMasses()),
@@ -32,17 +33,17 @@ class PrescribedPipeline : public Pipeline {
 
   void report(State& state, ContactPatch& patch) override {
     patch.clear();
-    state.contact_count = 0;
+    state.contact.contact_count = 0;
     for (std::size_t v = 0; v < held_.size(); ++v) {
       if (!held_[v]) continue;
-      ++state.contact_count;
+      ++state.contact.contact_count;
       const int tool = held_[v]->tool;
       patch.touchVertex(tool, static_cast<int>(v), 1, now_[tool].pose.rotateToScene(held_[v]->normal), 1);
     }
-    state.candidate_count = state.contact_count;
+    state.contact.candidate_count = state.contact.contact_count;
     // What holds the vertices is not measured.
-    state.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
-    state.tool_reactions_N.clear();
+    state.contact.reaction_on_tool_N = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+    state.contact.tool_reactions_N.clear();
     state.timing.collision_us = 0;
   }
 
@@ -62,7 +63,12 @@ class PrescribedPipeline : public Pipeline {
   void prescribe() {
     world_.readPositions(predicted_m_);
     reached_.clear();
-    sides_.find(predicted_m_, before_m_, now_, before_, {}, reached_);
+    sides_.find({.positions_m = predicted_m_,
+                 .before_m = before_m_,
+                 .tools_before = before_,
+                 .tools_now = now_,
+                 .dt_s = step_s_},
+                {}, reached_);
     for (const ContactConstraint& contact : reached_) {
       std::optional<Held>& held = held_[contact.vertices[0]];
       if (held || !(inverse_masses_[contact.vertices[0]] > 0)) continue;
@@ -83,13 +89,13 @@ class PrescribedPipeline : public Pipeline {
         body->m_nodes[i].m_im = 0;
         body->m_nodes[i].m_x = toBullet(now_[held->tool].pose.toScene(held->position_m));
       }
-      if (more) tellLinks(*body);
+      if (more) updateLinkMobilities(*body);
     }
   }
 
   // Links keep the mobility of their ends, as it was when they were made. Where both ends are held any
   // positive number serves: they do not move.
-  static void tellLinks(btSoftBody& body) {
+  static void updateLinkMobilities(btSoftBody& body) {
     body.updateLinkConstants();
     for (int i = 0; i < body.m_links.size(); ++i) {
       if (!(body.m_links[i].m_c0 > 0)) body.m_links[i].m_c0 = btScalar(1e-12);
@@ -97,6 +103,7 @@ class PrescribedPipeline : public Pipeline {
   }
 
   BulletWorld& world_;
+  double step_s_;
   VertexSides sides_;
   std::vector<std::optional<Held>> held_;  ///< per vertex
   std::vector<double> inverse_masses_;     ///< as the scene has them; 0: fixed, not to be held

@@ -84,8 +84,8 @@ class BulletSimulation : public Simulation {
     state_.positions_m.resize(scene.vertexCount());
     state_.velocities_m_s.resize(scene.vertexCount());
     state_.masses_kg = masses(scene, world_->inverseMasses());
-    state_.node_states.assign(scene.nodeCount(), NodeState::free);
-    state_.tool_reactions_N.assign(scene.tools.size() > 1 ? scene.tools.size() : 0, Vec3::Zero());
+    state_.contact.node_states.assign(scene.nodeCount(), NodeState::free);
+    state_.contact.tool_reactions_N.assign(scene.tools.size() > 1 ? scene.tools.size() : 0, Vec3::Zero());
     state_.forces.assign(scenario.force.size(), ForceSample{});
     state_.tool_forces_N.assign(scenario.force.size() * scene.tools.size(), Vec3::Zero());
     collect();
@@ -110,6 +110,7 @@ class BulletSimulation : public Simulation {
     clock.lap(forces_s_);
   }
 
+  State& state() override { return state_; }
   const State& state() const override { return state_; }
   Summary counters() const override { return pipeline_->counters(); }
   std::vector<StageTime> stageTimes() const override {
@@ -123,7 +124,7 @@ class BulletSimulation : public Simulation {
   void collect() {
     world_->readPositions(state_.positions_m);
     world_->readVelocities(state_.velocities_m_s);
-    state_.vertex_contact = patch_.vertex_contact;
+    state_.contact.vertex_contact = patch_.vertex_contact;
   }
 
   double step_s_;

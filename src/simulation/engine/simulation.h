@@ -19,8 +19,10 @@ class Simulation {
   virtual ~Simulation() = default;
 
   /// Advances by the scenario's time step; `poses` are the tools' at its end. Fills everything of state() but
-  /// step, time_s and timing.step_us.
+  /// step, time_s, clamps, couplings and timing.step_us.
   virtual void step(const std::vector<Pose>& poses) = 0;
+  /// The one State of the run. What step() leaves out, whoever steps the simulation writes into it.
+  virtual State& state() = 0;
   virtual const State& state() const = 0;
   /// Counts of the detector over the run ("rays", "ray_triangle_tests", "displacement_sweeps",
   /// "displacement_pushes"), empty for Bullet's own.

@@ -60,15 +60,13 @@ bool isFinite(const TriangleMesh& mesh) {
                      [](const Vec3& v) { return v.allFinite(); });
 }
 
-}  // namespace
-
-FileSurface loadSurface(const FileShape& shape, const std::filesystem::path& directory) {
-  const std::filesystem::path file = directory / shape.file;
+/// What the shape asks for of the mesh that was `read` from `file`.
+FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& file, TriangleMesh read) {
   const double unit_m = metres(shape.unit);
   FileSurface surface;
   TriangleMesh& mesh = surface.mesh;
   // In the file's unit to the end: three points of a line are none any more when they have been scaled.
-  mesh = readMeshFile(file);
+  mesh = std::move(read);
   weldVertices(mesh, shape.weld_tolerance_m / unit_m);
   surface.found = inspect(mesh, shape.unit);
   surface.left = surface.found;
@@ -81,6 +79,23 @@ FileSurface loadSurface(const FileShape& shape, const std::filesystem::path& dir
   }
   for (Vec3& vertex : mesh.vertices_m) vertex *= unit_m;
   return surface;
+}
+
+}  // namespace
+
+FileSurface loadSurface(const FileShape& shape, const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / shape.file;
+  return surfaceFrom(shape, file, readMeshFile(file));
+}
+
+const FileSurface& SurfaceFiles::surface(const FileShape& shape) const {
+  const auto same = [&](const auto& kept) { return kept.first == shape; };
+  if (const auto known = std::find_if(surfaces_.begin(), surfaces_.end(), same); known != surfaces_.end())
+    return known->second;
+  const std::filesystem::path file = directory_ / shape.file;
+  auto mesh = meshes_.find(file);
+  if (mesh == meshes_.end()) mesh = meshes_.emplace(file, readMeshFile(file)).first;
+  return surfaces_.emplace_back(shape, surfaceFrom(shape, file, mesh->second)).second;
 }
 
 }  // namespace fissure

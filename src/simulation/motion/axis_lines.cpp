@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/error.h"
-#include "text/log_text.h"
 
 namespace fissure {
 
@@ -26,8 +25,8 @@ std::vector<double> readNumbers(std::string_view text, const std::string& file, 
 
 }  // namespace
 
-AxisLines::AxisLines(const std::filesystem::path& file) : file_(file.string()) {
-  const std::string text = readLogText(file);
+AxisLines::AxisLines(const std::filesystem::path& file, const LogFiles& files) : file_(file.string()) {
+  const std::string& text = files.text(file);
   std::size_t position = 0, found = 0;
   int line = 0;
   for (std::string_view content; takeLogLine(text, position, content);) {

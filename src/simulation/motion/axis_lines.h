@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "text/log_table.h"
+#include "text/log_text.h"
 
 namespace fissure {
 
@@ -15,7 +16,7 @@ namespace fissure {
 class AxisLines : public LogTable {
  public:
   /// Throws InputError, with the line, when there are not three lines of numbers.
-  explicit AxisLines(const std::filesystem::path& file);
+  explicit AxisLines(const std::filesystem::path& file, const LogFiles& files = LogFiles());
 
   std::size_t column(const std::string& name) const override;
   bool next() override;

@@ -28,14 +28,14 @@ void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
 /// Takes a log row by row.
 class LogReader {
  public:
-  LogReader(const ReplayMotion& settings, const std::filesystem::path& file)
+  LogReader(const ReplayMotion& settings, const std::filesystem::path& file, const LogFiles& files)
       : settings_(settings), to_m_(metres(settings.position_unit)) {
     if (settings.layout == LogLayout::axes) {
-      table_ = std::make_unique<AxisLines>(file);
+      table_ = std::make_unique<AxisLines>(file, files);
       position_columns_ = {0, 1, 2};
       return;
     }
-    table_ = std::make_unique<DelimitedText>(file);
+    table_ = std::make_unique<DelimitedText>(file, files);
     if (settings.time_column) time_column_ = table_->column(*settings.time_column);
     for (std::size_t i = 0; i < 3; ++i) position_columns_[i] = table_->column(settings.position_columns[i]);
     if (!settings.quaternion_columns) return;
@@ -119,9 +119,9 @@ class LogReader {
 }  // namespace
 
 DeviceLog readDeviceLog(const ReplayMotion& settings, const std::filesystem::path& file,
-                        const std::string& where) {
+                        const std::string& where, const LogFiles& files) {
   requireTimeBase(settings, where);
-  return LogReader(settings, file).read();
+  return LogReader(settings, file, files).read();
 }
 
 }  // namespace fissure

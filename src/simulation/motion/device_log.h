@@ -7,6 +7,7 @@
 
 #include "base/geometry.h"
 #include "scenario/motions.h"
+#include "text/log_text.h"
 
 namespace fissure {
 
@@ -33,6 +34,6 @@ struct DeviceLog {
 ///   - quaternions are normalised. Frozen samples and jumps are kept as they are.
 /// `where`: the path of the settings in their file, for messages. Throws InputError, see makeMotion.
 DeviceLog readDeviceLog(const ReplayMotion& settings, const std::filesystem::path& file,
-                        const std::string& where);
+                        const std::string& where, const LogFiles& files);
 
 }  // namespace fissure

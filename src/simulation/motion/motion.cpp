@@ -7,20 +7,22 @@ namespace fissure {
 namespace {
 
 std::unique_ptr<Motion> make(const ScriptMotion& settings, const std::filesystem::path&,
-                             const std::string& where) {
+                             const std::string& where, const LogFiles&) {
   return std::make_unique<ScriptedMotion>(settings, where);
 }
 
 std::unique_ptr<Motion> make(const ReplayMotion& settings, const std::filesystem::path& directory,
-                             const std::string& where) {
-  return std::make_unique<ReplayedMotion>(settings, directory, where);
+                             const std::string& where, const LogFiles& files) {
+  return std::make_unique<ReplayedMotion>(settings, directory, where, files);
 }
 
 }  // namespace
 
-std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory) {
+std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory,
+                                   const LogFiles& files) {
   const std::string where = "tools." + tool.name + ".motion";
-  return std::visit([&](const auto& settings) { return make(settings, directory, where); }, tool.motion);
+  return std::visit([&](const auto& settings) { return make(settings, directory, where, files); },
+                    tool.motion);
 }
 
 }  // namespace fissure

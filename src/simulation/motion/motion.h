@@ -6,6 +6,7 @@
 #include "base/geometry.h"
 #include "base/record.h"
 #include "scenario/tools.h"
+#include "text/log_text.h"
 
 namespace fissure {
 
@@ -22,9 +23,10 @@ class Motion {
   virtual Summary summary() const { return {}; }
 };
 
-/// Builds the motion a tool names. `directory`: where relative log files start. Throws InputError, with file
-/// and line where there is one, for a log that is missing, empty, binary, malformed, lacks a named column or
-/// has no usable row, and for settings that name no path (`tools.NAME.motion: ...`).
-std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory);
+/// Builds the motion a tool names. `directory`: where relative log files start; `files`: reads them. Throws
+/// InputError, with file and line where there is one, for a log that is missing, empty, binary, malformed,
+/// lacks a named column or has no usable row, and for settings that name no path (`tools.NAME.motion: ...`).
+std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory,
+                                   const LogFiles& files = LogFiles());
 
 }  // namespace fissure

@@ -22,11 +22,11 @@ constexpr double jump_slack_m = 1e-12;
 }  // namespace
 
 ReplayedMotion::ReplayedMotion(const ReplayMotion& settings, const std::filesystem::path& directory,
-                               const std::string& where)
+                               const std::string& where, const LogFiles& files)
     : max_gap_s_(settings.max_gap_s) {
   const DeviceToScene mapping(settings.mapping, where + ".mapping");
   const std::filesystem::path file = directory / settings.file;
-  DeviceLog log = readDeviceLog(settings, file, where);
+  DeviceLog log = readDeviceLog(settings, file, where, files);
   times_s_ = std::move(log.times_s);
   setWindow(settings, file.string(), where);
   if (settings.opening) opening_.emplace(*settings.opening, settings.mapping, mapping);

@@ -29,7 +29,7 @@ class ReplayedMotion final : public Motion {
  public:
   /// `where`: the path of the settings in their file, for messages. Throws InputError, see makeMotion.
   ReplayedMotion(const ReplayMotion& settings, const std::filesystem::path& directory,
-                 const std::string& where);
+                 const std::string& where, const LogFiles& files);
 
   Pose poseAt(double time_s) const override;
   double openingAt(double time_s) const override;

@@ -24,7 +24,7 @@ bool isUsable(const Vec3& position_m) {
 }  // NaN is not
 
 /// What first left the finite scene, or "".
-std::string lost(const State& state) {
+std::string whatLeftTheScene(const State& state) {
   for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
     if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i);
   }
@@ -59,21 +59,14 @@ std::optional<double> depth_m(const RecordLayout& layout, const RecordRow& row) 
 
 }  // namespace
 
-Run::Run(const Scenario& scenario, const PipelineSettings& pipeline)
-    : scenario_(scenario),
-      engine_scenario_(scenario),
-      pipeline_(pipeline),
-      scene_(buildScene(scenario, pipeline.usesNodes())) {
+Run::Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedScenario prepared)
+    : scenario_(scenario), engine_scenario_(scenario), pipeline_(pipeline), prepared_(std::move(prepared)) {
+  if (!pipeline.usesNodes()) dropNodes(prepared_.scene);
   engine_scenario_.tools = rigidTools(scenario.tools);
-  double longest_s = 0;
-  for (const ToolSettings& tool : scenario.tools) {
-    motions_.push_back(makeMotion(tool, scenario.directory));
-    longest_s = std::max(longest_s, motions_.back()->duration_s());
-  }
-  const double duration_s = scenario.time.duration_s.value_or(longest_s);
+  const double duration_s = scenario.time.duration_s.value_or(prepared_.longestMotion_s());
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
-  simulation_ = makeSimulation(engine_scenario_, pipeline, scene_, posesAt(0));
+  simulation_ = makeSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
   makeCouplings();
 }
 
@@ -95,69 +88,63 @@ void Run::moveCoupled(std::vector<Pose>& poses) {
   for (Coupled& coupled : coupled_) {
     Pose& pose = poses[coupled.tool];
     const Vec3& force_N =
-        simulation_->state().tool_forces_N[coupled.law * scene_.tools.size() + coupled.tool];
+        simulation_->state().tool_forces_N[coupled.law * prepared_.scene.tools.size() + coupled.tool];
     const Vec3 felt_N = (1e6 * force_N).array().round() / 1e6;
     pose.position_m = coupled.coupling.advance(pose.position_m, felt_N);
   }
 }
 
-RecordLayout Run::declareLayout(std::vector<std::unique_ptr<Probe>>& probes) {
-  RecordLayout layout;
-  layout.add(
-      {.name = "time", .units = "s", .long_name = "simulated time: step x dt, from the end of settling"});
-  for (const auto& probe : probes) probe->declare(layout);
-  return layout;
-}
-
 std::vector<Pose> Run::posesAt(double time_s) const {
   std::vector<Pose> poses;
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
     const ToolSettings& tool = scenario_.tools[t];
-    const Pose pose = motions_[t]->poseAt(time_s);
+    const Pose pose = prepared_.motions[t]->poseAt(time_s);
     if (!tool.clamp) {
       poses.push_back(pose);
       continue;
     }
-    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, motions_[t]->openingAt(time_s));
+    const auto jaws = jawPoses(*tool.clamp, closedJaws(tool), pose, prepared_.motions[t]->openingAt(time_s));
     poses.insert(poses.end(), jaws.begin(), jaws.end());
   }
   return poses;
 }
 
-void Run::noteClamps(double time_s, State& state) const {
-  state.clamps.clear();
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
+void Run::noteClamps(double time_s) {
+  std::vector<ClampState>& clamps = simulation_->state().clamps;
+  clamps.clear();
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
     if (scenario_.tools[t].clamp)
-      state.clamps.push_back({motions_[t]->poseAt(time_s), motions_[t]->openingAt(time_s)});
+      clamps.push_back({prepared_.motions[t]->poseAt(time_s), prepared_.motions[t]->openingAt(time_s)});
   }
 }
 
-void Run::noteCouplings(State& state) const {
-  state.couplings.clear();
+void Run::noteCouplings() {
+  std::vector<CouplingState>& couplings = simulation_->state().couplings;
+  couplings.clear();
   for (const Coupled& coupled : coupled_)
-    state.couplings.push_back(
-        {coupled.tool, coupled.coupling.target_m(), coupled.coupling.force_on_tool_N()});
+    couplings.push_back({coupled.tool, coupled.coupling.target_m(), coupled.coupling.force_on_tool_N()});
 }
 
-// A copy of the simulation's state, with what the clock and the step number add. False: tissue is no longer
+// The simulation's step, and what clock, clamps and couplings add to its state. False: tissue is no longer
 // finite.
-bool Run::advance(std::int64_t step, State& state) {
+bool Run::advance(std::int64_t step) {
   const double time_s = static_cast<double>(step) * scenario_.time.step_s;
   std::vector<Pose> poses = posesAt(time_s);
   if (step > 0) moveCoupled(poses);  // while the tissue settles, hand and tool wait
   const auto start = std::chrono::steady_clock::now();
   simulation_->step(poses);
   const auto end = std::chrono::steady_clock::now();
-  state = simulation_->state();
+  State& state = simulation_->state();
   state.step = step;
   state.time_s = time_s;
-  noteClamps(time_s, state);
-  noteCouplings(state);
+  noteClamps(time_s);
+  noteCouplings();
   state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
-  return lost(state).empty();
+  return whatLeftTheScene(state).empty();
 }
 
-void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames) {
+void Run::emit(const Outputs& outputs, RecordRow& row, FrameSource* frames) {
+  const State& state = simulation_->state();
   std::fill(row.begin(), row.end(), std::numeric_limits<double>::quiet_NaN());
   row[0] = state.time_s;
   for (const auto& probe : outputs.probes) probe->sample(state, row);
@@ -174,29 +161,28 @@ void Run::emit(const Outputs& outputs, const State& state, RecordRow& row, Frame
 }
 
 RunStatus Run::execute(const Outputs& outputs) {
-  State state;
+  State& state = simulation_->state();
   RecordRow row(outputs.layout.columns());
   RunStatus status;
   const std::int64_t total = settling_steps_ + steps_;
   bool finite = true;
   for (std::int64_t i = 0; i < settling_steps_ && finite; ++i) {
-    finite = advance(0, state);
+    finite = advance(0);
     if (outputs.progress) outputs.progress(i + 1, total);
   }
   if (settling_steps_ == 0) {
-    state = simulation_->state();
-    noteClamps(0, state);
-    noteCouplings(state);
+    noteClamps(0);
+    noteCouplings();
   }
   state.timing = {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
 
   std::unique_ptr<FrameSource> frames;
   if (scenario_.record.frames) frames = outputs.make_frame_source(state);
   std::int64_t step = 0;
-  emit(outputs, state, row, frames.get());
+  emit(outputs, row, frames.get());
   while (finite && step < steps_) {
-    finite = advance(++step, state);
-    emit(outputs, state, row, frames.get());
+    finite = advance(++step);
+    emit(outputs, row, frames.get());
     if (outputs.progress) outputs.progress(settling_steps_ + step, total);
   }
 
@@ -207,15 +193,15 @@ RunStatus Run::execute(const Outputs& outputs) {
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.status = "non_finite";
-    status.detail = lost(state) + " is not finite or more than 10 km away at step " + std::to_string(step) +
-                    format(" (t = %g s)", state.time_s);
+    status.detail = whatLeftTheScene(state) + " is not finite or more than 10 km away at step " +
+                    std::to_string(step) + format(" (t = %g s)", state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);
-  if (const std::string repairs = repairsOf(scene_); !repairs.empty())
+  if (const std::string repairs = repairsOf(prepared_.scene); !repairs.empty())
     summary.push_back({"repairs", repairs});
   for (const SummaryValue& value : simulation_->counters()) summary.push_back(value);
-  for (std::size_t t = 0; t < motions_.size(); ++t) {
-    for (SummaryValue value : motions_[t]->summary()) {
+  for (std::size_t t = 0; t < prepared_.motions.size(); ++t) {
+    for (SummaryValue value : prepared_.motions[t]->summary()) {
       value.name = scenario_.tools[t].name + "_" + value.name;
       summary.push_back(std::move(value));
     }

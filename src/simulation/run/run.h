@@ -9,9 +9,9 @@
 #include "base/record_sink.h"
 #include "base/scene.h"
 #include "engine/simulation.h"
-#include "motion/motion.h"
 #include "motion/virtual_coupling.h"
 #include "scenario/scenario.h"
+#include "scene/prepared_scenario.h"
 
 namespace fissure {
 
@@ -19,25 +19,22 @@ namespace fissure {
 /// each step. Simulated time is step x dt. Build it, declare the probes, execute once.
 class Run {
  public:
-  /// Builds scene, motions and world. `scenario` and `pipeline` must outlive the run. Throws InputError for a
-  /// log that cannot be used.
-  Run(const Scenario& scenario, const PipelineSettings& pipeline);
+  /// Builds the world. `scenario` and `pipeline` must outlive the run; `prepared` is the scenario's, with
+  /// nodes where the pipeline uses them. No file is read any more.
+  Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedScenario prepared);
 
-  const Scene& scene() const { return scene_; }
+  const Scene& scene() const { return prepared_.scene; }
   std::int64_t stepCount() const { return steps_; }
 
   /// What a run hands out. Only `sink` is needed.
   struct Outputs {
     RecordSink& sink;
     std::vector<std::unique_ptr<Probe>>& probes;
-    const RecordLayout& layout;  ///< as declareLayout() made it from the same probes
+    const RecordLayout& layout;  ///< as declareLayout() makes it from the same probes
     /// Makes the renderer from the first state; called once, and only when the scenario asks for frames.
     std::function<std::unique_ptr<FrameSource>(const State& first)> make_frame_source;
     std::function<void(std::int64_t step, std::int64_t steps)> progress;  ///< settling steps included
   };
-
-  /// The record's columns: `time`, then the probes' series.
-  static RecordLayout declareLayout(std::vector<std::unique_ptr<Probe>>& probes);
 
   /// Runs to the end, or until a position of tissue or tool is not finite or 10 km away (status non_finite,
   /// with when and where); then hands status and summary to the sink. Errors of sink and renderer pass
@@ -48,16 +45,15 @@ class Run {
   std::vector<Pose> posesAt(double time_s) const;
   void makeCouplings();
   void moveCoupled(std::vector<Pose>& poses);
-  void noteClamps(double time_s, State& state) const;
-  void noteCouplings(State& state) const;
-  bool advance(std::int64_t step, State& state);
-  void emit(const Outputs& outputs, const State& state, RecordRow& row, FrameSource* frames);
+  void noteClamps(double time_s);
+  void noteCouplings();
+  bool advance(std::int64_t step);
+  void emit(const Outputs& outputs, RecordRow& row, FrameSource* frames);
 
   const Scenario& scenario_;
   Scenario engine_scenario_;  ///< the same with rigidTools(), one a tool of the scene
   const PipelineSettings& pipeline_;
-  Scene scene_;
-  std::vector<std::unique_ptr<Motion>> motions_;  ///< one a tool of scenario_
+  PreparedScenario prepared_;
   /// A tool that a force law moves.
   struct Coupled {
     std::size_t tool = 0;  ///< of the scene

@@ -4,7 +4,6 @@
 #include "contact/centroid_nodes.h"
 #include "contact/grid_nodes.h"
 #include "mesh/check.h"
-#include "mesh/file_surface.h"
 #include "mesh/orient.h"
 #include "mesh/subdivide.h"
 #include "scenario/rigid_tools.h"
@@ -15,14 +14,10 @@ namespace fissure {
 
 namespace {
 
-SceneBody makeBody(const BodySettings& body, const std::filesystem::path& directory) {
-  if (const auto* shape = std::get_if<FileShape>(&body.shape)) {
-    FileSurface surface = loadSurface(*shape, directory);
-    return {.name = body.name,
-            .rest = placeBody(body, std::move(surface.mesh)),
-            .repairs = std::move(surface.repairs)};
-  }
-  return {.name = body.name, .rest = placeBody(body, directory)};
+/// What was repaired of a shape that is a file's.
+std::vector<std::string> repairsOf(const SurfaceShape& shape, const SurfaceFiles& files) {
+  const auto* from_file = std::get_if<FileShape>(&shape);
+  return from_file ? files.surface(*from_file).repairs : std::vector<std::string>();
 }
 
 ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
@@ -40,15 +35,9 @@ ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   return makeCentroidNodes(fine, settings);
 }
 
-SceneTool makeTool(const ToolSettings& tool, const std::filesystem::path& directory, bool with_nodes) {
-  SceneTool made{.name = tool.name};
-  if (const auto* shape = std::get_if<FileShape>(&tool.shape)) {
-    FileSurface surface = loadSurface(*shape, directory);
-    made.surface = std::move(surface.mesh);
-    made.repairs = std::move(surface.repairs);
-  } else {
-    made.surface = makeSurface(tool.shape);
-  }
+SceneTool makeTool(const ToolSettings& tool, const SurfaceFiles& files, bool with_nodes) {
+  SceneTool made{
+      .name = tool.name, .surface = makeSurface(tool.shape, files), .repairs = repairsOf(tool.shape, files)};
   if (const auto* box = std::get_if<BoxShape>(&tool.shape)) made.box_size_m = box->size_m;
   if (tool.mirrored) mirror(made.surface);
   made.closed = hasInside(made.surface);
@@ -57,11 +46,11 @@ SceneTool makeTool(const ToolSettings& tool, const std::filesystem::path& direct
 }
 
 /// All parts of a handle as one surface, in the clamp's frame.
-TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const std::filesystem::path& directory) {
+TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const SurfaceFiles& files) {
   TriangleMesh handle;
   for (const ClampPart& part : parts) {
     const Pose pose{part.position_m, part.orientation.normalized()};
-    const TriangleMesh shape = makeSurface(part.shape, directory);
+    const TriangleMesh shape = makeSurface(part.shape, files);
     const int first = static_cast<int>(handle.vertices_m.size());
     for (const Vec3& vertex_m : shape.vertices_m) handle.vertices_m.push_back(pose.toScene(vertex_m));
     for (const Face& face : shape.faces)
@@ -70,21 +59,22 @@ TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const std::filesyst
   return handle;
 }
 
-void addClamp(const ToolSettings& clamp, const std::filesystem::path& directory, bool drawn, Scene& scene) {
+void addClamp(const ToolSettings& clamp, const SurfaceFiles& files, bool drawn, Scene& scene) {
   const int left = static_cast<int>(scene.tools.size());
   scene.clamps.push_back({.name = clamp.name,
                           .left_tool = left,
                           .right_tool = left + 1,
                           .hinged = clamp.clamp->opening == ClampOpening::hinged,
-                          .handle = drawn ? makeHandle(clamp.clamp->handle, directory) : TriangleMesh{}});
+                          .handle = drawn ? makeHandle(clamp.clamp->handle, files) : TriangleMesh{}});
 }
 
 }  // namespace
 
-Scene buildScene(const Scenario& scenario, bool with_nodes) {
+Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& files) {
   Scene scene;
   for (const BodySettings& body : scenario.bodies) {
-    SceneBody placed = makeBody(body, scenario.directory);
+    SceneBody placed{
+        .name = body.name, .rest = placeBody(body, files), .repairs = repairsOf(body.shape, files)};
     placed.first_vertex = scene.vertexCount();
     placed.first_face = scene.faceCount();
     placed.fixed_vertices = fixedVertices(body, placed.rest);
@@ -94,15 +84,26 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
   }
   const bool drawn = scenario.record.frames || scenario.record.snapshots_every_s;
   for (const ToolSettings& tool : scenario.tools) {
-    if (tool.clamp) addClamp(tool, scenario.directory, drawn, scene);
+    if (tool.clamp) addClamp(tool, files, drawn, scene);
     for (const ToolSettings& rigid : rigidTools({tool})) {
-      SceneTool made = makeTool(rigid, scenario.directory, with_nodes);
+      SceneTool made = makeTool(rigid, files, with_nodes);
       made.first_node = scene.nodeCount();
       scene.tools.push_back(std::move(made));
     }
   }
   if (scenario.ground) scene.ground_height_m = scenario.ground->height_m;
   return scene;
+}
+
+Scene buildScene(const Scenario& scenario, bool with_nodes) {
+  return buildScene(scenario, with_nodes, SurfaceFiles(scenario.directory));
+}
+
+void dropNodes(Scene& scene) {
+  for (SceneTool& tool : scene.tools) {
+    tool.nodes = {};
+    tool.first_node = 0;
+  }
 }
 
 }  // namespace fissure

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/scene.h"
+#include "mesh/file_surface.h"
 #include "scenario/scenario.h"
 
 namespace fissure {
@@ -9,6 +10,12 @@ namespace fissure {
 /// `with_nodes`, clamps their handles only when the scenario asks for frames or snapshots.
 /// Throws InputError for a mesh file that cannot be read (loadSurface), and for nodes in more than 131,072
 /// triangles.
+Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& files);
+
+/// The same for a scenario none of whose files has been read yet.
 Scene buildScene(const Scenario& scenario, bool with_nodes);
+
+/// The scene as it had been built without nodes.
+void dropNodes(Scene& scene);
 
 }  // namespace fissure

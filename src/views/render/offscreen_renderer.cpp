@@ -38,7 +38,7 @@ class OffscreenRenderer : public FrameSource {
     mesa_.gl().viewport(0, 0, mesa_.width_px(), mesa_.height_px());
     painter_.paint(mesa_.gl(), state);
     Image image = downsample(mesa_.finishedPicture(), camera_.width_px, camera_.height_px, scale_);
-    if (!state.node_states.empty()) {
+    if (!state.contact.node_states.empty()) {
       const std::vector<float> depths = mesa_.depths();
       drawNodes(image, camera_, scene_, state, {depths, scale_});
       drawNodeLegend(image);

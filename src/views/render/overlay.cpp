@@ -129,8 +129,8 @@ void drawNodes(Image& image, const Camera& camera, const Scene& scene, const Sta
       const std::size_t index = static_cast<std::size_t>(scene.tools[tool].first_node) + i;
       const Vec3 placed_m = state.tools[tool].pose.toScene(nodes.positions_m[i]);
       const auto at = drawable(placed_m) ? camera.project(placed_m) : std::nullopt;
-      if (at && index < state.node_states.size()) {
-        dots.push_back({*at, state.node_states[index], isHidden(*at, camera, depths)});
+      if (at && index < state.contact.node_states.size()) {
+        dots.push_back({*at, state.contact.node_states[index], isHidden(*at, camera, depths)});
       }
     }
   }

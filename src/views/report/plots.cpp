@@ -15,8 +15,8 @@ namespace fissure {
 
 namespace {
 
-/// Where along the named axes of a quantity.
-using Place = std::map<std::string, std::string>;
+/// A label on each of some axes of a quantity, by the name of the axis.
+using AxisLabels = std::map<std::string, std::string>;
 
 struct Source {
   std::size_t run = 0;
@@ -53,7 +53,7 @@ std::vector<std::string> labelsAlong(const std::vector<ReportRun>& runs, const P
 }
 
 /// No value where the quantity has nothing there.
-std::optional<Source> sourceAt(std::size_t run, const StoredQuantity& quantity, const Place& place) {
+std::optional<Source> sourceAt(std::size_t run, const StoredQuantity& quantity, const AxisLabels& place) {
   Source source{run, &quantity, 0, 1};
   std::size_t stride = quantity.columns();
   for (const StoredAxis& axis : quantity.axes) {
@@ -73,7 +73,7 @@ std::optional<Source> sourceAt(std::size_t run, const StoredQuantity& quantity, 
 }
 
 std::vector<Source> sourcesAt(const std::vector<ReportRun>& runs, const PlotQuantity& quantity,
-                              const Place& place) {
+                              const AxisLabels& place) {
   std::vector<Source> sources;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const StoredQuantity* stored = runs[r].reader.find(quantity.dataset);
@@ -91,7 +91,7 @@ std::vector<Plot> planPlots(const std::vector<ReportRun>& runs) {
     for (const std::string& label : each) {
       Plot plot{&quantity, label, {}};
       for (const std::string& variant : labelsAlong(runs, quantity, quantity.select)) {
-        Place place;
+        AxisLabels place;
         if (*quantity.each) place[quantity.each] = label;
         if (*quantity.select) place[quantity.select] = variant;
         std::vector<Source> sources = sourcesAt(runs, quantity, place);

@@ -115,7 +115,7 @@ TEST_F(StateTest, RecordsOfOtherSweepsAreCounted) {
   TaskRecord other = recordOf(0, "ok", 1);
   other.task = "0123456789abcdef";
   write(other);
-  EXPECT_EQ(state().strangers(), 1u);
+  EXPECT_EQ(state().unplannedRecords(), 1u);
   EXPECT_EQ(state().unfinished().size(), 6u);
 }
 

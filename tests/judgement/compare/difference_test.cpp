@@ -40,8 +40,8 @@ TEST(Difference, OfOneValueAmongMillionsIsTheLargest) {
     meter.add(std::span(a).subspan(3 * row, 3000), std::span(b).subspan(3 * row, 3000));
   const Difference& found = meter.result();
   EXPECT_NEAR(found.largest, 1e-6, 1e-15);
-  EXPECT_EQ(found.worst, (Place{123'456, 2}));
-  EXPECT_EQ(found.first, (Place{123'456, 2}));
+  EXPECT_EQ(found.worst, (ValueIndex{123'456, 2}));
+  EXPECT_EQ(found.first, (ValueIndex{123'456, 2}));
   EXPECT_EQ(found.count, 2u);
   EXPECT_EQ(meter.firstRowBeyond(5e-8), 123'456u);
   EXPECT_EQ(meter.firstRowBeyond(2e-6), std::nullopt);
@@ -49,8 +49,8 @@ TEST(Difference, OfOneValueAmongMillionsIsTheLargest) {
 
 TEST(Difference, FirstAndWorstAreDifferentPlaces) {
   const Difference found = differenceOf({0, 1, 2, 3, 4, 5}, {0, 1.5, 2, 3, 4, -5}, 2);
-  EXPECT_EQ(found.first, (Place{0, 1}));
-  EXPECT_EQ(found.worst, (Place{2, 1}));
+  EXPECT_EQ(found.first, (ValueIndex{0, 1}));
+  EXPECT_EQ(found.worst, (ValueIndex{2, 1}));
   EXPECT_EQ(found.largest, 10);
   EXPECT_EQ(found.largest_a, 5);
   EXPECT_EQ(found.rows, 3u);
@@ -58,16 +58,16 @@ TEST(Difference, FirstAndWorstAreDifferentPlaces) {
 
 TEST(Difference, NanIsNeverEqualToAnything) {
   const Difference both = differenceOf({1, kNan}, {1, kNan});
-  EXPECT_EQ(both.nan_a, (Place{1, 0}));
-  EXPECT_EQ(both.nan_b, (Place{1, 0}));
-  EXPECT_EQ(both.first, (Place{1, 0}));
+  EXPECT_EQ(both.nan_a, (ValueIndex{1, 0}));
+  EXPECT_EQ(both.nan_b, (ValueIndex{1, 0}));
+  EXPECT_EQ(both.first, (ValueIndex{1, 0}));
   EXPECT_EQ(both.count, 1u);
   DifferenceMeter meter(1, {});
   meter.add(std::vector<double>{1, kNan}, std::vector<double>{1, 2});
   EXPECT_EQ(meter.firstRowBeyond(1e300), 1u);
   const Difference one = differenceOf({1, 2}, {1, kNan});
   EXPECT_EQ(one.nan_a, std::nullopt);
-  EXPECT_EQ(one.nan_b, (Place{1, 0}));
+  EXPECT_EQ(one.nan_b, (ValueIndex{1, 0}));
 }
 
 TEST(Difference, MissingOnBothSidesIsTheSameOnlyWhereItMayBeMissing) {
@@ -75,7 +75,7 @@ TEST(Difference, MissingOnBothSidesIsTheSameOnlyWhereItMayBeMissing) {
   EXPECT_EQ(both.count, 0u);
   EXPECT_EQ(both.nan_a, std::nullopt);
   const Difference one = differenceOf({kNan, 1}, {0, 1}, 1, {.may_be_missing = true});
-  EXPECT_EQ(one.nan_a, (Place{0, 0}));
+  EXPECT_EQ(one.nan_a, (ValueIndex{0, 0}));
   EXPECT_EQ(one.nan_b, std::nullopt);
   EXPECT_EQ(one.count, 1u);
 }
@@ -91,7 +91,7 @@ TEST(Difference, BitForBitTellsZerosApart) {
   const Difference exact = differenceOf({0.0}, {-0.0}, 1, {.exact = true});
   EXPECT_EQ(exact.count, 1u);
   EXPECT_EQ(exact.largest, 0);
-  EXPECT_EQ(exact.worst, (Place{0, 0}));
+  EXPECT_EQ(exact.worst, (ValueIndex{0, 0}));
   EXPECT_EQ(differenceOf({1.5}, {1.5}, 1, {.exact = true}).count, 0u);
 }
 

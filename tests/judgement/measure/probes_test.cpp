@@ -25,7 +25,7 @@ class ProbesTest : public ::testing::Test {
   }
   void addNodes(int count) {
     scene_.tools[0].nodes.positions_m.assign(static_cast<std::size_t>(count), Vec3::Zero());
-    state_.node_states.assign(static_cast<std::size_t>(count), NodeState::free);
+    state_.contact.node_states.assign(static_cast<std::size_t>(count), NodeState::free);
   }
   void addLaws(const std::vector<std::string>& names) {
     for (const std::string& name : names)
@@ -242,11 +242,11 @@ TEST_F(ProbesTest, ContactCountsAndFirstContact) {
   addNodes(4);
   start();
   for (const int contacts : {0, 0, 3, 5, 1}) {
-    state_.contact_count = contacts;
-    state_.candidate_count = contacts + 2;
-    state_.infeasible_count = 2;
-    state_.capped_count = contacts / 2;
-    state_.reaction_on_tool_N = Vec3(0, contacts, -1);
+    state_.contact.contact_count = contacts;
+    state_.contact.candidate_count = contacts + 2;
+    state_.contact.infeasible_count = 2;
+    state_.contact.capped_count = contacts / 2;
+    state_.contact.reaction_on_tool_N = Vec3(0, contacts, -1);
     step();
   }
   EXPECT_EQ(value("contact_count"), 1);
@@ -268,7 +268,7 @@ TEST_F(ProbesTest, NodeSwitchRateCountsActingAgainstNot) {
   const NodeState first[] = {NodeState::free, NodeState::feasible, NodeState::capped, NodeState::infeasible,
                              NodeState::feasible};
   for (const NodeState node : first) {
-    state_.node_states = {node, node == NodeState::capped ? NodeState::infeasible : NodeState::free};
+    state_.contact.node_states = {node, node == NodeState::capped ? NodeState::infeasible : NodeState::free};
     step();
   }
   EXPECT_DOUBLE_EQ(real("node_switch_rate_hz"), 375.0);
@@ -415,7 +415,7 @@ TEST_F(ProbesTest, ClampsOfBothKindsAreOpenInTheirOwnUnits) {
   state_.clamps = {{.opening = 0.02}, {.opening = 30}};
   addLaws({"hc", "soft"});
   start();
-  state_.tool_reactions_N = {Vec3(1, 0, 0), Vec3(-4, 0, 0)};
+  state_.contact.tool_reactions_N = {Vec3(1, 0, 0), Vec3(-4, 0, 0)};
   state_.tool_forces_N[2] = Vec3(0, 3, 0);  // of the second law, on the left
   state_.tool_forces_N[3] = Vec3(0, 0, 4);
   step();
@@ -431,7 +431,7 @@ TEST_F(ProbesTest, ClampsOfBothKindsAreOpenInTheirOwnUnits) {
   EXPECT_EQ(real("forceps_left_max_force_soft_N"), 4);
   EXPECT_EQ(real("gripper_max_resultant_hc_N"), 0);
   EXPECT_EQ(real("gripper_final_reaction_N"), 3);
-  state_.tool_reactions_N.clear();
+  state_.contact.tool_reactions_N.clear();
   step();
   EXPECT_TRUE(std::isnan(value("clamp_reaction", 0)));
   EXPECT_TRUE(std::isnan(value("tool_reaction", 0)));

@@ -81,13 +81,14 @@ State drawableState(std::size_t snapshot) {
   for (const SceneBody& body : scene.bodies)
     for (const Vec3& vertex_m : body.rest.vertices_m)
       state.positions_m.push_back(vertex_m * (1 - k / 30) + Vec3(0.05 * (body.first_vertex > 0), k / 300, 0));
-  state.vertex_contact.assign(state.positions_m.size(), 0);
+  state.contact.vertex_contact.assign(state.positions_m.size(), 0);
   const Vec3 jaw_m(0.02 - k / 1000, 0.04, 0.04);
   state.tools = {{.pose = {{0, 0.03 - k / 100, 0.02}, turned(0.1 + k / 7, {1, 2, 3})}},
                  {.pose = {-jaw_m, turned(k / 9, {0, 1, 0})}},
                  {.pose = {jaw_m, turned(k / 9, {0, 1, 0})}}};
   state.clamps = {{{{0.01, 0.05 - k / 300, 0.03}, turned(k / 11, {3, 1, 0})}, 0.01}};
-  state.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible, NodeState::capped};
+  state.contact.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible,
+                               NodeState::capped};
   return state;
 }
 

@@ -123,9 +123,10 @@ State sampleState(std::size_t snapshot) {
   for (int vertex = 0; vertex < 8; ++vertex) {
     const double value = state.time_s + vertex / 10.0;
     state.positions_m.emplace_back(value, value + 0.01, value + 0.02);
-    state.vertex_contact.push_back(static_cast<std::uint8_t>(vertex % 2));
+    state.contact.vertex_contact.push_back(static_cast<std::uint8_t>(vertex % 2));
   }
-  state.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible, NodeState::capped};
+  state.contact.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible,
+                               NodeState::capped};
   return state;
 }
 

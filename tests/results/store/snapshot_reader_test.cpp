@@ -47,7 +47,7 @@ TEST(SnapshotReader, GivesBackSceneAndStates) {
     const State read = reader.at(k), state = drawableState(k);
     EXPECT_EQ(read.time_s, state.time_s);
     EXPECT_EQ(read.positions_m, state.positions_m);
-    EXPECT_EQ(read.node_states, state.node_states);
+    EXPECT_EQ(read.contact.node_states, state.contact.node_states);
     for (std::size_t t = 0; t < 3; ++t) expectSamePose(read.tools.at(t).pose, state.tools[t].pose);
     expectSamePose(read.clamps.at(0).pose, state.clamps[0].pose);
     EXPECT_EQ(reader.depth_m(k), drawableDepth_m(k));

@@ -140,14 +140,19 @@ class SpatulaInACube : public testing::Test {
     const std::vector<ToolState> before = {{.pose = {.position_m = Vec3(0, 0.026, 0)}}};
     const std::vector<ToolState> now = {{.pose = {.position_m = Vec3(0, 0.025, 0)}}};
     const std::vector<double> inverse_masses(positions.size(), 10.0);
-    contact->step(positions, inverse_masses, before, now, 0.001, state, patch);
+    contact->step({.positions_m = positions,
+                   .before_m = scene.bodies[0].rest.vertices_m,
+                   .tools_before = before,
+                   .tools_now = now,
+                   .dt_s = 0.001},
+                  inverse_masses, outcome, patch);
   }
   /// How many nodes that look so much upwards act.
   int acting(double least_y, double most_y) const {
     int count = 0;
     for (int i = 0; i < scene.tools[0].nodes.size(); ++i) {
       const double y = scene.tools[0].nodes.normals[i].y();
-      const NodeState shown = state.node_states[i];
+      const NodeState shown = outcome.node_states[i];
       count += y >= least_y && y <= most_y && (shown == NodeState::feasible || shown == NodeState::capped);
     }
     return count;
@@ -156,7 +161,7 @@ class SpatulaInACube : public testing::Test {
   Scene scene;
   std::optional<NodeContact> contact;
   std::vector<Vec3> positions;
-  State state;
+  ContactOutcome outcome;
   ContactPatch patch;
 };
 
@@ -176,7 +181,7 @@ TEST_F(SpatulaInACube, TheLowerSideExcludesTheUpperOne) {
   build({.rim_nodes = false});
   EXPECT_EQ(acting(-1, -0.5), 168) << "the lower side, all of it";
   EXPECT_EQ(acting(0.5, 1), 0) << "the upper side, whose rays leave through the bottom of the cube";
-  EXPECT_EQ(std::count(state.node_states.begin(), state.node_states.end(), NodeState::infeasible), 144)
+  EXPECT_EQ(std::count(outcome.node_states.begin(), outcome.node_states.end(), NodeState::infeasible), 144)
       << "24 look aslant, and their rays end in the cube";
 }
 

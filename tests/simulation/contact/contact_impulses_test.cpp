@@ -30,7 +30,9 @@ class ContactImpulsesTest : public testing::Test {
   void apply(double tool_way_m = 0, int sweeps = 1) {
     impulses.emplace(3, sweeps);
     const std::vector<ToolState> was = {{.pose = {.position_m = Vec3(0, -tool_way_m, 0)}}};
-    impulses->apply(constraints, inverse_masses, was, {{}}, before, positions);
+    const std::vector<ToolState> is(1);
+    impulses->apply(constraints, inverse_masses,
+                    {.positions_m = positions, .before_m = before, .tools_before = was, .tools_now = is});
   }
   Vec3 total() const { return impulses->total(std::vector<double>(3, 1.0)); }
   double motion(int vertex) const { return impulses->motion_m()[vertex].y(); }
@@ -162,7 +164,9 @@ TEST(ContactImpulses, MomentumBalancesForAnyContacts) {
     }
     ContactImpulses impulses(12, 30);
     const std::vector<ToolState> was = {{.pose = {.position_m = 0.001 * vector()}}};
-    impulses.apply(constraints, inverse_masses, was, {{}}, before, positions);
+    const std::vector<ToolState> is(1);
+    impulses.apply(constraints, inverse_masses,
+                   {.positions_m = positions, .before_m = before, .tools_before = was, .tools_now = is});
     Vec3 given = Vec3::Zero();
     for (int v = 0; v < 12; ++v) given += impulses.motion_m()[v] / inverse_masses[v];
     ASSERT_NEAR((given - impulses.total(std::vector<double>(12, 1.0))).norm(), 0,

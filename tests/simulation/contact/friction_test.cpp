@@ -18,7 +18,9 @@ class FrictionTest : public testing::Test {
   void step(const Vec3& from_m, const Vec3& to_m, const Pose& tool_was = {}) {
     before[0] = from_m;
     positions[0] = to_m;
-    impulses.apply(constraints, std::vector<double>{10}, {{.pose = tool_was}}, {{}}, before, positions);
+    const std::vector<ToolState> was = {{.pose = tool_was}}, is(1);
+    impulses.apply(constraints, std::vector<double>{10},
+                   {.positions_m = positions, .before_m = before, .tools_before = was, .tools_now = is});
   }
   Vec3 motion_m() const { return impulses.motion_m()[0]; }
   Vec3 total() const { return impulses.total(std::vector<double>{1}); }
@@ -96,8 +98,10 @@ TEST(Friction, APushForgottenAsAWholeLeavesNumbers) {
                                     .normal = Vec3(0, 1, 0),
                                     .friction = 0.5};
     ContactImpulses impulses(3, 30);
-    impulses.apply(std::vector{contact}, std::vector<double>(3, 100 * spread(random)), {{}}, {{}}, before,
-                   positions);
+    const std::vector<ToolState> resting(1);
+    impulses.apply(
+        std::vector{contact}, std::vector<double>(3, 100 * spread(random)),
+        {.positions_m = positions, .before_m = before, .tools_before = resting, .tools_now = resting});
     for (const Vec3& motion_m : impulses.motion_m()) ASSERT_NEAR(motion_m.norm(), 0, kExact);
     ASSERT_NEAR(impulses.total(std::vector<double>(3, 1)).norm(), 0, kExact);
   }
@@ -158,7 +162,13 @@ class AnyContacts : public testing::Test {
     const ToolState tool{.pose = {.position_m = turn * tool_was.position_m, .orientation = Quat(was)}};
     Result result{.positions = turned(predicted)};
     ContactImpulses impulses(kVertices, 30);
-    impulses.apply(contacts, inverse_masses, {tool}, {{}}, turned(before), result.positions);
+    const std::vector<Vec3> turned_before = turned(before);
+    const std::vector<ToolState> tools_before = {tool}, tools_now(1);
+    impulses.apply(contacts, inverse_masses,
+                   {.positions_m = result.positions,
+                    .before_m = turned_before,
+                    .tools_before = tools_before,
+                    .tools_now = tools_now});
     result.motion.assign(impulses.motion_m().begin(), impulses.motion_m().end());
     result.total = impulses.total(std::vector<double>(kVertices, 1.0));
     return result;

@@ -40,6 +40,7 @@ class NodeContactTest : public testing::Test {
     for (const SceneBody& body : scene.bodies) {
       positions.insert(positions.end(), body.rest.vertices_m.begin(), body.rest.vertices_m.end());
     }
+    tissue_before = positions;
     inverse_masses.assign(positions.size(), 10.0);
     patch.resize(scene.vertexCount(), scene.faceCount(), 1);
   }
@@ -49,22 +50,28 @@ class NodeContactTest : public testing::Test {
     before = now;
     now = {{.pose = {.position_m = Vec3(x, y, 0), .orientation = Quat::Identity()}}};
     if (before.empty()) before = now;
-    contact->step(positions, inverse_masses, before, now, 0.001, state, patch);
+    contact->step({.positions_m = positions,
+                   .before_m = tissue_before,
+                   .tools_before = before,
+                   .tools_now = now,
+                   .dt_s = 0.001},
+                  inverse_masses, outcome, patch);
+    tissue_before = positions;
   }
 
   int countOf(NodeState kind, int from, int to) const {
     return static_cast<int>(
-        std::count(state.node_states.begin() + from, state.node_states.begin() + to, kind));
+        std::count(outcome.node_states.begin() + from, outcome.node_states.begin() + to, kind));
   }
   int upper(NodeState kind) const { return countOf(kind, 0, 9); }
   int lower(NodeState kind) const { return countOf(kind, 9, 18); }
 
   Scene scene;
   std::optional<NodeContact> contact;
-  std::vector<Vec3> positions;
+  std::vector<Vec3> positions, tissue_before;
   std::vector<double> inverse_masses;
   std::vector<ToolState> before, now;
-  State state;
+  ContactOutcome outcome;
   ContactPatch patch;
   double thickness_m_ = 0;
 };
@@ -72,10 +79,10 @@ class NodeContactTest : public testing::Test {
 TEST_F(NodeContactTest, ABladeAboveTheTissueMeetsNothing) {
   build(0.002);
   moveTo(0.030 + kMargin_m + 0.001 + 1e-6);  // lower face a margin and 1 um above the top
-  EXPECT_EQ(state.candidate_count, 0);
-  EXPECT_EQ(state.contact_count, 0);
+  EXPECT_EQ(outcome.candidate_count, 0);
+  EXPECT_EQ(outcome.contact_count, 0);
   EXPECT_EQ(upper(NodeState::free) + lower(NodeState::free), 18);
-  EXPECT_EQ(state.reaction_on_tool_N, Vec3::Zero());
+  EXPECT_EQ(outcome.reaction_on_tool_N, Vec3::Zero());
 }
 
 TEST_F(NodeContactTest, TheLowerFacePushesTheTopDownToTheMargin) {
@@ -83,7 +90,7 @@ TEST_F(NodeContactTest, TheLowerFacePushesTheTopDownToTheMargin) {
   moveTo(0.035);
   moveTo(0.030);  // lower face at 0.029: 1 mm deep
   EXPECT_EQ(lower(NodeState::feasible), 9);
-  EXPECT_EQ(state.infeasible_count, 0);
+  EXPECT_EQ(outcome.infeasible_count, 0);
   // Every hit point ends at least a margin in front of its node: below y = 0.029 - margin.
   for (const Vec3& p : positions) {
     if (p.y() > 0) {
@@ -94,9 +101,9 @@ TEST_F(NodeContactTest, TheLowerFacePushesTheTopDownToTheMargin) {
   for (std::size_t i = 0; i < positions.size(); ++i)
     moved += (positions[i] - scene.bodies[0].rest.vertices_m[i]) / 10;
   EXPECT_LT(moved.y(), 0);
-  EXPECT_NEAR((state.reaction_on_tool_N + moved / 1e-6).norm(), 0, 1e-9)
+  EXPECT_NEAR((outcome.reaction_on_tool_N + moved / 1e-6).norm(), 0, 1e-9)
       << "reaction: minus the tissue's m dx / dt^2";
-  EXPECT_GT(state.reaction_on_tool_N.y(), 0);
+  EXPECT_GT(outcome.reaction_on_tool_N.y(), 0);
 }
 
 TEST_F(NodeContactTest, ThinBladeDeepInside_OnlyTheLeadingSideActs) {
@@ -105,7 +112,7 @@ TEST_F(NodeContactTest, ThinBladeDeepInside_OnlyTheLeadingSideActs) {
   build(0.002);
   moveTo(0.040);
   moveTo(0.021);  // faces at 0.020 and 0.022
-  EXPECT_EQ(state.candidate_count, 18);
+  EXPECT_EQ(outcome.candidate_count, 18);
   EXPECT_EQ(lower(NodeState::feasible), 9);
   EXPECT_EQ(upper(NodeState::infeasible), 9);
 }
@@ -116,9 +123,9 @@ TEST_F(NodeContactTest, ABladeThatJumpsRightThroughStillFindsTheSurfaceItWentInT
   moveTo(0.040);
   moveTo(-0.040);
   EXPECT_EQ(lower(NodeState::feasible), 9);
-  EXPECT_EQ(state.contact_count, 9);
-  EXPECT_EQ(state.capped_count, 0) << "the step brought all of it";
-  EXPECT_GT(state.reaction_on_tool_N.y(), 0);
+  EXPECT_EQ(outcome.contact_count, 9);
+  EXPECT_EQ(outcome.capped_count, 0) << "the step brought all of it";
+  EXPECT_GT(outcome.reaction_on_tool_N.y(), 0);
   // Half-way between the ends of its diagonal the cube's top now lies in front of the node in the middle.
   double lowest = 1;
   for (int v = 0; v < 8; ++v) {
@@ -138,7 +145,7 @@ TEST_F(NodeContactTest, TissueThatJumpsThroughABladeAtRestIsFoundToo) {
   for (Vec3& p : positions) p.y() += 0.080;
   moveTo(0.040);
   EXPECT_EQ(lower(NodeState::feasible), 9);
-  EXPECT_EQ(state.contact_count, 9);
+  EXPECT_EQ(outcome.contact_count, 9);
 }
 
 // Blade and cube together, 80 mm in a step, 10 mm apart: nothing met.
@@ -147,22 +154,22 @@ TEST_F(NodeContactTest, TravellingTogetherIsNoContact) {
   moveTo(0.040);
   for (Vec3& p : positions) p.y() -= 0.080;
   moveTo(-0.040);
-  EXPECT_EQ(state.candidate_count, 0);
+  EXPECT_EQ(outcome.candidate_count, 0);
 }
 
 TEST_F(NodeContactTest, PassingBesideTheTissueInOneStepIsNoContact) {
   build(0.002);
   moveTo(0.040, 0.045);
   moveTo(-0.040, 0.045);  // 5 mm beside the cube
-  EXPECT_EQ(state.candidate_count, 0);
+  EXPECT_EQ(outcome.candidate_count, 0);
 }
 
 TEST_F(NodeContactTest, WithoutAssociationBothSidesActAtOnce) {
   build(0.002, {.association = false});
   moveTo(0.040);
   moveTo(0.021);
-  EXPECT_EQ(state.infeasible_count, 0);
-  EXPECT_EQ(state.contact_count, 18);
+  EXPECT_EQ(outcome.infeasible_count, 0);
+  EXPECT_EQ(outcome.contact_count, 18);
 }
 
 TEST_F(NodeContactTest, TheSideThatHeldTheContactKeepsItWhenTheBladeTurnsBack) {
@@ -189,7 +196,7 @@ TEST_F(NodeContactTest, AtRestInsideFromTheStartTheShallowerSideActs) {
 TEST_F(NodeContactTest, OverlapThatTheStepDidNotBringIsCapped) {
   build(0.002, {.max_displacement_m = 0.001});
   moveTo(0.021);  // starts 10 mm deep
-  EXPECT_EQ(state.capped_count, 9);
+  EXPECT_EQ(outcome.capped_count, 9);
   double lowest_top = 1;
   for (const Vec3& p : positions) {
     if (p.y() > 0) lowest_top = std::min(lowest_top, p.y());
@@ -202,7 +209,7 @@ TEST_F(NodeContactTest, WhatTheStepBroughtIsNeverCapped) {
   build(0.002, {.sweeps = 200, .max_displacement_m = 0.001});
   moveTo(0.0311 + kMargin_m);
   moveTo(0.021);
-  EXPECT_EQ(state.capped_count, 0);
+  EXPECT_EQ(outcome.capped_count, 0);
   EXPECT_EQ(lower(NodeState::feasible), 9);
 }
 
@@ -222,8 +229,9 @@ TEST_F(NodeContactTest, WithNodesOnAllSidesTissueIsLeftToTheSideThatItFaces) {
     moveTo(0.036);
     moveTo(0.034);
     std::set<std::pair<int, bool>> sides;  // axis of the acting nodes' normals, and whether along it
-    for (std::size_t i = 0; i < state.node_states.size(); ++i) {
-      if (state.node_states[i] != NodeState::feasible && state.node_states[i] != NodeState::capped) continue;
+    for (std::size_t i = 0; i < outcome.node_states.size(); ++i) {
+      if (outcome.node_states[i] != NodeState::feasible && outcome.node_states[i] != NodeState::capped)
+        continue;
       int axis = 0;
       scene.tools[0].nodes.normals[i].cwiseAbs().maxCoeff(&axis);
       sides.insert({axis, scene.tools[0].nodes.normals[i][axis] > 0});
@@ -246,7 +254,7 @@ TEST_F(NodeContactTest, TissueOnBothSidesOfABladeIsNoConflict) {
   moveTo(0.0);
   EXPECT_EQ(upper(NodeState::feasible), 9);
   EXPECT_EQ(lower(NodeState::feasible), 9);
-  EXPECT_EQ(state.infeasible_count, 0);
+  EXPECT_EQ(outcome.infeasible_count, 0);
 }
 
 // The same press on a body that lives twice as fast: moved alike, but by four
@@ -260,7 +268,7 @@ TEST_F(NodeContactTest, AReactionIsInItsBodysOwnTime) {
       build(0.002, {.response = response, .time_scales = {scale}});
       moveTo(0.035);
       moveTo(0.030);
-      reactions_N.push_back(state.reaction_on_tool_N.y());
+      reactions_N.push_back(outcome.reaction_on_tool_N.y());
     }
     EXPECT_GT(reactions_N[1], 0);
     EXPECT_DOUBLE_EQ(reactions_N[0], 4 * reactions_N[1]);
@@ -336,8 +344,8 @@ TEST_F(PlateInACube, IsPushedFreeByItsNodesAloneAndThrowsNothing) {
   int steps = 0;
   do {
     EXPECT_LE(wayIn(free_y), 0.0075) << "step " << steps;
-    EXPECT_EQ(state.contact_count, state.candidate_count - state.infeasible_count) << "nodes alone";
-  } while (state.capped_count > 0 && ++steps < 10);
+    EXPECT_EQ(outcome.contact_count, outcome.candidate_count - outcome.infeasible_count) << "nodes alone";
+  } while (outcome.capped_count > 0 && ++steps < 10);
   EXPECT_EQ(steps, 2) << "10 mm and a margin";
   for (const Vec3& p : positions) EXPECT_LE(p.y(), 0.020 - kMargin_m + 1e-6);
 }
@@ -347,10 +355,10 @@ TEST_F(PlateInACube, HoldsVerticesOnceItWasFree) {
   build(true);
   moveTo(0.025);
   moveTo(0.1);
-  EXPECT_EQ(state.contact_count, 0);
+  EXPECT_EQ(outcome.contact_count, 0);
   for (Vec3& p : positions) p.y() = p.y() > 0 ? 0.0945 : 0.03;  // the top within the margin of its lower face
   moveTo(0.1);
-  EXPECT_EQ(state.contact_count, state.candidate_count + 4) << "the corners, besides the nodes";
+  EXPECT_EQ(outcome.contact_count, outcome.candidate_count + 4) << "the corners, besides the nodes";
 }
 
 // Association that is not mutual: node 0's partner is 1, node 1's partner is 2. All three have candidates
@@ -368,16 +376,21 @@ TEST(NodeContactVetoes, OnlyAnActingNodeExcludesOthers) {
   NodeContact contact(scene, {.margins_m = {kMargin_m}});
   std::vector<Vec3> positions = scene.bodies[0].rest.vertices_m;
   const std::vector<double> inverse_masses(positions.size(), 10.0);
-  State state;
+  ContactOutcome outcome;
   ContactPatch patch;
   patch.resize(scene.vertexCount(), scene.faceCount(), 1);
   const std::vector<ToolState> above = {{.pose = {.position_m = Vec3(0, 0.04, 0)}}};
   const std::vector<ToolState> inside = {{.pose = {.position_m = Vec3(0, 0.02, 0)}}};
-  contact.step(positions, inverse_masses, above, inside, 0.001, state, patch);
-  ASSERT_EQ(state.candidate_count, 3);
-  EXPECT_EQ(state.node_states[0], NodeState::feasible);
-  EXPECT_EQ(state.node_states[1], NodeState::infeasible);
-  EXPECT_EQ(state.node_states[2], NodeState::feasible);
+  contact.step({.positions_m = positions,
+                .before_m = scene.bodies[0].rest.vertices_m,
+                .tools_before = above,
+                .tools_now = inside,
+                .dt_s = 0.001},
+               inverse_masses, outcome, patch);
+  ASSERT_EQ(outcome.candidate_count, 3);
+  EXPECT_EQ(outcome.node_states[0], NodeState::feasible);
+  EXPECT_EQ(outcome.node_states[1], NodeState::infeasible);
+  EXPECT_EQ(outcome.node_states[2], NodeState::feasible);
 }
 
 }  // namespace

@@ -21,10 +21,12 @@ class RimEdgesTest : public testing::Test {
     edges.emplace(scene, std::vector<double>{kMargin_m}, kLimit_m);
   }
   const std::vector<ContactConstraint>& find(const Vec3& a, const Vec3& b, const Vec3& way) {
-    const std::vector<Vec3> now = {a, b, {0.01, -1, 0}};
+    std::vector<Vec3> now = {a, b, {0.01, -1, 0}};
     const std::vector<Vec3> before = {a - way, b - way, {0.01, -1, 0}};
     found.clear();
-    edges->find(now, before, {{}}, {{}}, {}, found);
+    const std::vector<ToolState> resting(1);
+    edges->find({.positions_m = now, .before_m = before, .tools_before = resting, .tools_now = resting}, {},
+                found);
     return found;
   }
   Scene scene;

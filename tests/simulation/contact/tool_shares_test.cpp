@@ -148,11 +148,17 @@ TEST(ToolDisplacements, AreHowFarTheContactsWereShort) {
   NodeContact contact(scene, {.margins_m = {0.0005}});
   std::vector<Vec3> positions_m = scene.bodies[0].rest.vertices_m;
   const std::vector<double> inverse_masses(positions_m.size(), 10.0);
-  State state;
+  ContactOutcome outcome;
   ContactPatch patch;
   patch.resize(scene.vertexCount(), scene.faceCount(), 2);
-  contact.step(positions_m, inverse_masses, blades(0.035, 0.035), blades(0.028, 0.025), 0.001, state, patch);
-  ASSERT_EQ(state.contact_count, 18);
+  const std::vector<ToolState> above = blades(0.035, 0.035), pressed = blades(0.028, 0.025);
+  contact.step({.positions_m = positions_m,
+                .before_m = scene.bodies[0].rest.vertices_m,
+                .tools_before = above,
+                .tools_now = pressed,
+                .dt_s = 0.001},
+               inverse_masses, outcome, patch);
+  ASSERT_EQ(outcome.contact_count, 18);
   const auto sum = [](const std::vector<double>& v) { return std::accumulate(v.begin(), v.end(), 0.0); };
   EXPECT_NEAR(sum(patch.tools[0].face_displacements_m), 9 * 0.0025, 1e-12);
   EXPECT_NEAR(sum(patch.tools[1].face_displacements_m), 9 * 0.0055, 1e-12);
@@ -173,12 +179,18 @@ TEST(ToolDisplacements, VertexContactsBelongToTheToolThatHoldsThem) {
   NodeContact contact(scene, {.vertex_contacts = true, .margins_m = {0.0005}});
   std::vector<Vec3> positions_m = scene.bodies[0].rest.vertices_m;
   const std::vector<double> inverse_masses(positions_m.size(), 10.0);
-  State state;
+  ContactOutcome outcome;
   ContactPatch patch;
   patch.resize(scene.vertexCount(), scene.faceCount(), 2);
-  contact.step(positions_m, inverse_masses, blades(0.035), blades(0.029), 0.001, state, patch);
+  const std::vector<ToolState> above = blades(0.035), pressed = blades(0.029);
+  contact.step({.positions_m = positions_m,
+                .before_m = scene.bodies[0].rest.vertices_m,
+                .tools_before = above,
+                .tools_now = pressed,
+                .dt_s = 0.001},
+               inverse_masses, outcome, patch);
   // The four vertices, and the three edges across the top at the inner rim of each blade.
-  ASSERT_EQ(state.contact_count, 4 + 6);
+  ASSERT_EQ(outcome.contact_count, 4 + 6);
   for (int vertex = 0; vertex < scene.vertexCount(); ++vertex) {
     const Vec3& rest_m = scene.bodies[0].rest.vertices_m[vertex];
     for (const int tool : {0, 1}) {

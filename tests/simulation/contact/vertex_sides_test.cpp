@@ -27,8 +27,9 @@ class VertexSidesTest : public testing::Test {
     before = now;
     now[0] = point;
     found.clear();
-    sides->find(now, before, {{.pose = {.position_m = Vec3(0, to, 0)}}},
-                {{.pose = {.position_m = Vec3(0, from, 0)}}}, {}, found);
+    const std::vector<ToolState> was = {{.pose = {.position_m = Vec3(0, from, 0)}}};
+    const std::vector<ToolState> is = {{.pose = {.position_m = Vec3(0, to, 0)}}};
+    sides->find({.positions_m = now, .before_m = before, .tools_before = was, .tools_now = is}, {}, found);
     return found;
   }
 

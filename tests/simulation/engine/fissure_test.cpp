@@ -71,7 +71,7 @@ class Fissure {
   }
   /// Nodes of the face towards `sign` x whose contact acts.
   long acting(double sign) const {
-    const auto first = state().node_states.begin() + (sign > 0 ? 0 : kNodesPerFace);
+    const auto first = state().contact.node_states.begin() + (sign > 0 ? 0 : kNodesPerFace);
     return std::count(first, first + kNodesPerFace, NodeState::feasible);
   }
 
@@ -88,7 +88,7 @@ TEST(FissureInOneBody, ACentredBladePartsBothLobesAlikeAndHoldsBothAtOnce) {
   for (int i = 0; i < 240; ++i) world.step(Vec3(0, -0.0001, 0));
   EXPECT_GT(world.acting(-1), 20);
   EXPECT_GT(world.acting(1), 20);
-  EXPECT_EQ(world.state().infeasible_count, 0) << "depths together below the blade's thickness";
+  EXPECT_EQ(world.state().contact.infeasible_count, 0) << "depths together below the blade's thickness";
   const double left_opened_m = left_m - world.rim_m(-1), right_opened_m = world.rim_m(1) - right_m;
   EXPECT_GT(left_opened_m, 0.0005);
   EXPECT_NEAR(left_opened_m / right_opened_m, 1, 0.05);
@@ -104,11 +104,11 @@ TEST(FissureInOneBody, MomentumBalancesInEachStep) {
     const bool turning = i < 200;
     const Vec3 before = world.momentum();
     world.step(Vec3(turning ? 0 : 0.0001, 0, 0), turning ? 0.00175 : 0);
-    const Vec3 expected = before - kStep_s * world.state().reaction_on_tool_N;
+    const Vec3 expected = before - kStep_s * world.state().contact.reaction_on_tool_N;
     ASSERT_NEAR((world.momentum() - expected).norm(), 0, 1e-12) << "step " << i;
     if (world.acting(-1) > 0 && world.acting(1) > 0) ++both;
     if (turning) turned_kg_m_s = std::max(turned_kg_m_s, std::abs(world.momentum().x()));
-    pressed_N = std::max(pressed_N, world.state().reaction_on_tool_N.norm());
+    pressed_N = std::max(pressed_N, world.state().contact.reaction_on_tool_N.norm());
   }
   EXPECT_GT(both, 100);
   EXPECT_GT(pressed_N, 0.5) << "no contact, no test";

@@ -74,7 +74,7 @@ TEST_P(FixedVerticesIn, DoNotMoveWhateverPressesOnThem) {
     pose.position_m.y() -= 0.0003;
     simulation->step({pose});
     const State& state = simulation->state();
-    contacts += state.contact_count;
+    contacts += state.contact.contact_count;
     for (const int vertex : fixed) {
       ASSERT_EQ(state.positions_m[vertex], first_m[vertex]) << "step " << i;
       ASSERT_EQ(state.velocities_m_s[vertex], Vec3::Zero()) << "step " << i;

@@ -183,7 +183,7 @@ TEST(Friction, ABodyBetweenJawsIsLiftedAndStaysLifted) {
   const int steps = 3000;
   for (int i = 0; i < steps; ++i) {
     world.step();
-    reaction_N += world.state().reaction_on_tool_N / steps;
+    reaction_N += world.state().contact.reaction_on_tool_N / steps;
   }
   EXPECT_NEAR((world.centre_m() - lifted_m).norm(), 0, 1e-6);
   EXPECT_NEAR((reaction_N - Vec3(0, -kWeight_N, 0)).norm(), 0, 0.01 * kWeight_N);
@@ -203,7 +203,7 @@ TEST(Friction, EachStepsMomentumIsGravityAndTheReaction) {
     const Vec3 before = kMass_kg * world.velocity_m_s();
     const double shake_m_s = 0.3 * std::sin(0.1 * i);
     world.step({Vec3(0, shake_m_s, 0), Vec3(0, shake_m_s, 0.5 * shake_m_s)}, Vec3(0.5, 0, 0));
-    const Vec3 reaction_N = world.state().reaction_on_tool_N;
+    const Vec3 reaction_N = world.state().contact.reaction_on_tool_N;
     const Vec3 expected = before + kStep_s * (Vec3(0, -kWeight_N, 0) - reaction_N);
     ASSERT_NEAR((kMass_kg * world.velocity_m_s() - expected).norm(), 0, 1e-12) << "step " << i;
     rubbed_N = std::max(rubbed_N, std::abs(reaction_N.y()));

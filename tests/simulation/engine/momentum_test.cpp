@@ -80,7 +80,7 @@ class World {
     Vec3 sum = Vec3::Zero();
     for (int i = 0; i < steps; ++i) {
       step(velocity_m_s);
-      sum += state().reaction_on_tool_N;
+      sum += state().contact.reaction_on_tool_N;
     }
     return sum / steps;
   }
@@ -106,7 +106,7 @@ TEST_P(TimeScale, EachStepsChangeIsGravityAndTheReactionInTheBodysOwnTime) {
   for (int i = 0; i < 400; ++i) {
     const Vec3 before = world.momentum();
     world.step(Vec3(0, i < 200 ? 0.5 : 0, 0));  // hit from below, then let go
-    const Vec3 reaction_N = world.state().reaction_on_tool_N;
+    const Vec3 reaction_N = world.state().contact.reaction_on_tool_N;
     const Vec3 expected = before + GetParam() * kStep_s * (Vec3(0, -kWeight_N, 0) - reaction_N);
     ASSERT_NEAR((world.momentum() - expected).norm(), 0, 1e-12) << "step " << i;
     largest_N = std::max(largest_N, reaction_N.norm());
@@ -164,7 +164,7 @@ double unrest_J(const GroundSettings& ground) {
     world.step();
     largest_J = std::max(largest_J, world.kineticEnergy_J());
   }
-  EXPECT_GT(world.state().reaction_on_tool_N.y(), 20) << "pressed";
+  EXPECT_GT(world.state().contact.reaction_on_tool_N.y(), 20) << "pressed";
   return largest_J;
 }
 

@@ -183,10 +183,10 @@ TEST(Simulation, ADelegatingDetectorEqualsTheDefaultBitForBit) {
   for (int i = 0; i < 150; ++i) {
     const State& expected = reference.step();
     const State& state = delegating.step();
-    contacts += expected.contact_count;
+    contacts += expected.contact.contact_count;
     ASSERT_EQ(state.positions_m, expected.positions_m) << "step " << i;
     ASSERT_EQ(state.velocities_m_s, expected.velocities_m_s);
-    ASSERT_EQ(state.contact_count, expected.contact_count);
+    ASSERT_EQ(state.contact.contact_count, expected.contact.contact_count);
     ASSERT_EQ(state.forces[0].force_on_tool_N, expected.forces[0].force_on_tool_N);
   }
   EXPECT_GT(contacts, 0) << "no contact, no test";
@@ -210,7 +210,7 @@ TEST(Simulation, ForcesOfTrianglesAreKeptForLawsOnly) {
     auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
     for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
     const State& state = simulation->state();
-    EXPECT_GT(state.contact_count, 0);
+    EXPECT_GT(state.contact.contact_count, 0);
     EXPECT_EQ(state.colliding_triangles.capacity() > 0, laws);
     EXPECT_EQ(state.triangle_forces_N.capacity() > 0, laws);
   }
@@ -289,10 +289,11 @@ TEST(Simulation, ClustersCollideWithTheBlade) {
   int contacts = 0, pushes = 0;
   for (int i = 0; i < 40; ++i) {
     const State& state = press.step();
-    contacts += state.contact_count;
-    const auto colliding = std::count(state.vertex_contact.begin(), state.vertex_contact.end(), 1);
-    EXPECT_EQ(colliding > 0, state.contact_count > 0) << "step " << i;
-    EXPECT_TRUE(std::isnan(state.reaction_on_tool_N.y())) << "Bullet does not say it";
+    contacts += state.contact.contact_count;
+    const auto colliding =
+        std::count(state.contact.vertex_contact.begin(), state.contact.vertex_contact.end(), 1);
+    EXPECT_EQ(colliding > 0, state.contact.contact_count > 0) << "step " << i;
+    EXPECT_TRUE(std::isnan(state.contact.reaction_on_tool_N.y())) << "Bullet does not say it";
     if (state.forces[0].elastic_N > 0) {
       ++pushes;
       EXPECT_GT(state.forces[0].force_on_tool_N.y(), 0) << "tissue below pushes the blade up";
@@ -409,8 +410,8 @@ TEST(Simulation, BulletMeetsTheHullOfTrianglesAsItMeetsABox) {
   const State box = pressed(scene);
   scene.tools[0].box_size_m.reset();
   const State hull = pressed(scene);
-  EXPECT_GT(box.contact_count, 10);
-  EXPECT_EQ(hull.contact_count, box.contact_count);
+  EXPECT_GT(box.contact.contact_count, 10);
+  EXPECT_EQ(hull.contact.contact_count, box.contact.contact_count);
   for (std::size_t v = 0; v < box.positions_m.size(); ++v)
     EXPECT_LT((hull.positions_m[v] - box.positions_m[v]).norm(), 1e-4) << v;
   scene.tools[0].closed = false;
@@ -427,7 +428,7 @@ TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
   for (std::size_t v = 0; v < first.positions_m.size(); ++v)
     if (first.positions_m[v].y() > first.positions_m[top].y()) top = static_cast<int>(v);
   const State& state = press.run(60);
-  EXPECT_EQ(state.vertex_contact[top], 1);
+  EXPECT_EQ(state.contact.vertex_contact[top], 1);
   EXPECT_NEAR(state.positions_m[top].y(), state.tools[0].pose.position_m.y() - 0.001 - 0.0005, 1e-12);
   EXPECT_GT(state.forces[0].elastic_N, 0);
 }

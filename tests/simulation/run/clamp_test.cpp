@@ -69,7 +69,7 @@ TEST_P(MirrorJaws, FeelEqualForces) {
   double worst = 0, worst_law = 0, worst_mirrored = 0;
   for (const State& state : states_) {
     if (state.time_s < 0.25) continue;
-    const Vec3 &left_N = state.tool_reactions_N[0], &right_N = state.tool_reactions_N[1];
+    const Vec3 &left_N = state.contact.tool_reactions_N[0], &right_N = state.contact.tool_reactions_N[1];
     ASSERT_GT(right_N.norm(), 5) << state.time_s;
     worst = std::max(worst, difference(left_N, right_N));
     worst_law = std::max(worst_law, difference(state.tool_forces_N[0], state.tool_forces_N[1]));

@@ -132,9 +132,10 @@ TEST_F(CoupledRun, TheHandWaitsWhileTissueSettles) {
 
 TEST_F(CoupledRun, AForceThatIsNoNumberEndsTheRunWithItsStatus) {
   scenario.force[1].coefficients.k = 1e308;
-  fissure::Run run(scenario, scenario.pipelines[0]);
+  fissure::Run run(scenario, scenario.pipelines[0],
+                   prepareScenario(scenario, scenario.pipelines[0].usesNodes()));
   std::vector<std::unique_ptr<Probe>> probes = makeProbes(scenario, run.scene());
-  layout = fissure::Run::declareLayout(probes);
+  layout = declareLayout(probes);
   run.execute({.sink = seen, .probes = probes, .layout = layout, .make_frame_source = {}, .progress = {}});
   EXPECT_EQ(seen.status.status, "non_finite");
   EXPECT_NE(seen.status.detail.find("tool 0 is not finite"), std::string::npos) << seen.status.detail;

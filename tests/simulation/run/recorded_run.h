@@ -67,12 +67,13 @@ inline BodySettings softSphere() {
 class RecordedRun : public testing::Test {
  protected:
   void execute() {
-    fissure::Run run(scenario, scenario.pipelines[0]);
+    fissure::Run run(scenario, scenario.pipelines[0],
+                     prepareScenario(scenario, scenario.pipelines[0].usesNodes()));
     std::vector<std::unique_ptr<Probe>> probes = makeProbes(scenario, run.scene());
     auto states = std::make_unique<StateProbe>();
     StateProbe& kept = *states;
     probes.push_back(std::move(states));
-    layout = fissure::Run::declareLayout(probes);
+    layout = declareLayout(probes);
     run.execute({.sink = seen, .probes = probes, .layout = layout, .make_frame_source = {}, .progress = {}});
     ASSERT_EQ(seen.status.status, "ok") << seen.status.detail;
     states_ = kept.states;

@@ -81,10 +81,11 @@ class RunTest : public testing::Test {
   }
 
   RunStatus execute() {
-    fissure::Run run(scenario, scenario.pipelines[0]);
+    fissure::Run run(scenario, scenario.pipelines[0],
+                     prepareScenario(scenario, scenario.pipelines[0].usesNodes()));
     std::vector<std::unique_ptr<Probe>> probes;
     probes.push_back(std::make_unique<HeightProbe>());
-    const RecordLayout layout = fissure::Run::declareLayout(probes);
+    const RecordLayout layout = declareLayout(probes);
     EXPECT_EQ(layout.columns(), 3u);
     return run.execute({.sink = sink,
                         .probes = probes,

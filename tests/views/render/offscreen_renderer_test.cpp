@@ -113,7 +113,7 @@ TEST_F(OffscreenRenderer, DrawsHandlesWhereTheirClampIs) {
 
 TEST_F(OffscreenRenderer, SameStateSameBytes) {
   addNodes({{0, 0.001, 0}, {0.01, -0.001, 0}});
-  state_.node_states = {NodeState::feasible, NodeState::infeasible};
+  state_.contact.node_states = {NodeState::feasible, NodeState::infeasible};
   scene_.ground_height_m = -0.03;
   const auto one = makeOffscreenRenderer(scene_, settings_, state_);
   const Image first = one->draw(state_, {"t = 0.1 s"});
@@ -187,15 +187,16 @@ TEST_F(OffscreenRenderer, NodesHaveTheColourOfTheirState) {
   const std::vector<Vec3> positions_m = {
       {-0.015, 0.001, 0}, {-0.005, 0.001, 0}, {0.005, 0.001, 0}, {0.015, 0.001, 0}};
   addNodes(positions_m);
-  state_.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible, NodeState::capped};
+  state_.contact.node_states = {NodeState::free, NodeState::feasible, NodeState::infeasible,
+                                NodeState::capped};
   settings_.width_px = 640;
   settings_.height_px = 480;
   const Image image = draw();
   for (std::size_t i = 0; i < positions_m.size(); ++i) {
     const Vec3 placed_m = state_.tools[0].pose.toScene(positions_m[i]);
-    EXPECT_LE(difference(colourAt(image, placed_m), palette::ofNode(state_.node_states[i])), 24) << i;
+    EXPECT_LE(difference(colourAt(image, placed_m), palette::ofNode(state_.contact.node_states[i])), 24) << i;
   }
-  state_.node_states.clear();  // a pipeline without nodes shows none, and no legend
+  state_.contact.node_states.clear();  // a pipeline without nodes shows none, and no legend
   const Image none = draw();
   for (const NodeState state : {NodeState::feasible, NodeState::infeasible, NodeState::capped}) {
     EXPECT_GT(countNear(image, palette::ofNode(state), 8), 20);
@@ -209,9 +210,9 @@ TEST_F(OffscreenRenderer, HiddenNodesShowUnlessFree) {
   addNodes({{0, 0.001, 0}});
   state_.tools[0].pose.position_m.z() = -0.05;
   const Vec3 node_m = state_.tools[0].pose.toScene({0, 0.001, 0});
-  state_.node_states = {NodeState::free};
+  state_.contact.node_states = {NodeState::free};
   const Image free = draw();
-  state_.node_states = {NodeState::feasible};
+  state_.contact.node_states = {NodeState::feasible};
   const Image feasible = draw();
   const PicturePoint at = project(node_m);
   const auto nodeInk = [&](const Image& image) {
@@ -259,7 +260,7 @@ TEST_F(OffscreenRenderer, NonFiniteVerticesAreLeftOut) {
   state_.tools[0].pose.position_m.setConstant(nan);
   settings_.camera.reset();
   addNodes({{0, 0, 0}});
-  state_.node_states = {NodeState::capped};
+  state_.contact.node_states = {NodeState::capped};
   const Image nothing = draw({"text stays"});
   EXPECT_GT(countNear(nothing, palette::ink, 60), 20);
 }
@@ -299,7 +300,7 @@ TEST_F(OffscreenRenderer, DrawsEverySizeFromTheSmallest) {
   settings_.camera.reset();
   scene_.ground_height_m = -0.03;
   addNodes({{0, 0.001, 0}});
-  state_.node_states = {NodeState::feasible};
+  state_.contact.node_states = {NodeState::feasible};
   for (const auto& [width_px, height_px] :
        {std::pair{16, 16}, {17, 333}, {641, 19}, {1921, 1089}, {4096, 64}}) {
     settings_.width_px = width_px;
