@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "fit/fit_intervals.h"
 #include "fit/fit_problem.h"
+#include "text/units.h"
 
 namespace fissure {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
@@ -109,13 +108,6 @@ double& valueOf(LawValues& values, FitParameter parameter) {
 double valueOf(const LawValues& values, FitParameter parameter) {
   LawValues copy = values;
   return valueOf(copy, parameter);
-}
-
-std::string fourDigits(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return {text.data(), end};
 }
 
 std::unique_ptr<LawModel> makeProbeModel(FitLaw law, const MeasuredCurve& curve) {

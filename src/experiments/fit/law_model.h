@@ -35,9 +35,6 @@ bool hasParameter(FitLaw law, FitParameter parameter);
 double& valueOf(LawValues& values, FitParameter parameter);
 double valueOf(const LawValues& values, FitParameter parameter);
 
-/// Four digits, for people.
-std::string fourDigits(double value);
-
 /// What a law gives at the points of a measurement, as a function of its coefficients.
 class LawModel {
  public:

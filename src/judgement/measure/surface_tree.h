@@ -60,7 +60,6 @@ class SurfaceTree {
   }  ///< of present and previous positions together
   const std::vector<TreeTriangle>& triangles() const { return triangles_; }  ///< in the order of the leaves
   const std::vector<TreeTriangle>& previous() const { return previous_; }
-  const std::vector<int>& faceOfTriangle() const { return face_of_triangle_; }  ///< index in the mesh
 
  private:
   void build(int first, int count, std::span<const Vec3> centroids);
