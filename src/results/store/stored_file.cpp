@@ -39,7 +39,7 @@ void readStoredFile(const std::filesystem::path& path, const StoredFormat& forma
     checkFormat(file, format);
     read(std::move(file));
   } catch (const InputError& error) {
-    throw InputError(inFile(path), error.text());
+    throw InputError(inFile(path), error.what());
   } catch (const RunError& error) {
     if (H5Fis_hdf5(path.c_str()) > 0) {
       throw InputError(inFile(path), std::string("a damaged or truncated HDF5 file (") + error.what() + ")");

@@ -167,7 +167,7 @@ std::vector<RunEnd> SweepTable::ends() const {
   try {
     for (const std::string& name : names) ends.push_back(runEndNamed(name));
   } catch (const InputError& error) {
-    throw InputError(inFile(path_), error.text());
+    throw InputError(inFile(path_), error.what());
   }
   return ends;
 }

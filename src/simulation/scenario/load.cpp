@@ -23,8 +23,7 @@ Path directoryOf(const Path& file) {
 /// own.
 std::string relativeToScenario(const std::string& name, const Origin& origin, const Path& directory) {
   const Path written_in = directoryOf(origin.file);
-  if (origin.kind == Origin::Kind::override || Path(name).is_absolute() || written_in == directory)
-    return name;
+  if (origin.kind != Origin::Kind::file || Path(name).is_absolute() || written_in == directory) return name;
   const Path whole = (written_in / name).lexically_normal();
   const Path relative = whole.lexically_relative(directory.lexically_normal());
   return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();
