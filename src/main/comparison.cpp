@@ -23,7 +23,7 @@ const PipelineResult& chooseRun(const ResultChoice& choice, const ResultInfo& in
   if (choice.run.empty() && info.pipelines.size() == 1) return info.pipelines.front();
   std::string known;
   for (const PipelineResult& run : info.pipelines) known += (known.empty() ? "" : ", ") + run.name;
-  throw InputError(choice.file.string() + ": has no run \"" + name + "\", expected one of " + known);
+  throw InputError(inFile(choice.file), "has no run \"" + name + "\", expected one of " + known);
 }
 
 void noteScenarios(const ResultInfo& a, const ResultInfo& b, std::vector<std::string>& notes) {

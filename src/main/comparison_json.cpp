@@ -1,4 +1,6 @@
 // What `compare --json` prints.
+#include <nlohmann/json.hpp>
+
 #include "main/comparison.h"
 
 namespace fissure {
@@ -10,7 +12,7 @@ using Json = nlohmann::ordered_json;
 Json sideJson(const RunOfFile& side) {
   return {{"file", side.file.string()},
           {"name", side.run->name},
-          {"status", side.run->status.status},
+          {"status", nameOf(side.run->status.end)},
           {"reference", side.info->reference}};
 }
 

@@ -56,8 +56,8 @@ TextRow numbersRow(const QuantityComparison& made) {
 std::string title(const char* side, const RunOfFile& run) {
   const PipelineResult& result = *run.run;
   return std::string(side) + "  " + run.file.string() + ":" + result.name + "  " + result.precision + ", " +
-         result.status.status + ", " + result.description + (run.info->reference ? " (a reference)" : "") +
-         "\n";
+         nameOf(result.status.end) + ", " + result.description +
+         (run.info->reference ? " (a reference)" : "") + "\n";
 }
 
 /// One line for all quantities that only one side has.
@@ -91,8 +91,9 @@ std::string countLine(const RunComparison& run) {
   std::string text =
       std::to_string(differing) + (differing == 1 ? " quantity differs, " : " quantities differ, ");
   if (within > 0) text += std::to_string(within) + " are within their tolerance, ";
-  const std::string& status = run.a.run->status.status;
-  return text + std::to_string(equal) + " are equal" + (status == "ok" ? "" : " (" + status + ")") + "\n";
+  const RunEnd end = run.a.run->status.end;
+  return text + std::to_string(equal) + " are equal" + (end == RunEnd::ok ? "" : " (" + nameOf(end) + ")") +
+         "\n";
 }
 
 std::string runText(const RunComparison& run, bool all) {

@@ -11,6 +11,7 @@
 #include "check/scenario_input.h"
 #include "engine/simulation.h"
 #include "main/command.h"
+#include "main/exit_codes.h"
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
@@ -120,7 +121,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
     try {
       return scenarioOf(order, !part.empty());
     } catch (const InputError& error) {
-      throw InputError(aboutAxes(error.what()));
+      throw aboutAxis(error);
     }
   }();
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
@@ -159,7 +160,7 @@ int parseAndWork(int argc, const char* const* argv) {
   root.option("--order", order, "instead of a scenario: file with a simulation of a sweep");
   root.option("--record", record, "file for the sweep's record of it");
   const CommandLine::Outcome parsed = line.parse(argc, argv);
-  if (parsed.done) return 0;
+  if (parsed.done) return exit_good;
   if (!parsed.error.empty()) throw InputError(parsed.error);
   if (order.empty() ? scenario.empty() || directory.empty() || pipeline.empty() || part.empty()
                     : record.empty())
@@ -168,7 +169,7 @@ int parseAndWork(int argc, const char* const* argv) {
     work(scenario, directory, pipeline, part);
   else
     workToOrder(order, record, part);
-  return 0;
+  return exit_good;
 }
 
 }  // namespace
@@ -178,12 +179,12 @@ int main(int argc, char** argv) {
     return parseAndWork(argc, argv);
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
-    return 2;
+    return exit_usage;
   } catch (const std::bad_alloc&) {
     std::cerr << "error: out of memory\n";
-    return 3;
+    return exit_run_failed;
   } catch (const std::exception& error) {
     std::cerr << "error: " << error.what() << '\n';
-    return 3;
+    return exit_run_failed;
   }
 }

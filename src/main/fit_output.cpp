@@ -1,8 +1,10 @@
 #include "main/fit_output.h"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "main/text_table.h"
+#include "text/units.h"
 
 namespace fissure {
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <span>
 
 #include "base/error.h"
 #include "fit/law_model.h"
 #include "main/fit_output.h"
 #include "main/text_table.h"
+#include "text/units.h"
 
 namespace fissure {
 

@@ -1,5 +1,7 @@
 #include "main/result_json.h"
 
+#include <nlohmann/json.hpp>
+
 namespace fissure {
 
 namespace {
@@ -14,7 +16,7 @@ Json pipelineJson(const PipelineResult& pipeline) {
           {"pipeline", pipeline.pipeline},
           {"precision", pipeline.precision},
           {"description", pipeline.description},
-          {"status", pipeline.status.status},
+          {"status", nameOf(pipeline.status.end)},
           {"status_detail", pipeline.status.detail},
           {"summary", summary}};
 }

@@ -75,11 +75,11 @@ std::string resultTable(const std::vector<PipelineResult>& pipelines) {
   }
   std::string details;
   for (const PipelineResult& pipeline : pipelines) {
-    TextRow row = {pipeline.name, pipeline.status.status};
+    TextRow row = {pipeline.name, nameOf(pipeline.status.end)};
     for (const Column& column : columns) row.push_back(cell(column, pipeline.summary));
     rows.push_back(row);
-    if (pipeline.status.status != "ok")
-      details += pipeline.name + ": " + pipeline.status.status + ": " + pipeline.status.detail + "\n";
+    if (pipeline.status.end != RunEnd::ok)
+      details += pipeline.name + ": " + nameOf(pipeline.status.end) + ": " + pipeline.status.detail + "\n";
     details += overflows(pipeline);
   }
   return alignedText(rows, 2) + details;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <nlohmann/json.hpp>
 
 #include "main/text_table.h"
 #include "text/scalars.h"
@@ -13,15 +14,16 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// How many runs ended in which way, of each pipeline in the order of the table.
+/// How many runs ended in which way, by name, of each pipeline in the order of the table.
 std::vector<std::pair<std::string, std::map<std::string, std::size_t>>> endsOf(const SweepTable& table) {
-  const std::vector<std::string> pipelines = table.texts("pipeline"), status = table.texts("status");
+  const std::vector<std::string> pipelines = table.texts("pipeline");
+  const std::vector<RunEnd> run_ends = table.ends();
   std::vector<std::pair<std::string, std::map<std::string, std::size_t>>> ends;
   for (std::size_t run = 0; run < table.runs(); ++run) {
     auto own = std::find_if(ends.begin(), ends.end(),
                             [&](const auto& known) { return known.first == pipelines[run]; });
     if (own == ends.end()) own = ends.insert(ends.end(), {pipelines[run], {}});
-    ++own->second[status[run]];
+    ++own->second[nameOf(run_ends[run])];
   }
   return ends;
 }

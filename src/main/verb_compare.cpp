@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "files/output_claim.h"
@@ -33,7 +34,7 @@ ResultInfo readWhole(const std::filesystem::path& file) {
     }
   });
   ResultInfo info = readResultInfo(file);
-  if (!info.complete) throw InputError(file.string() + ": not complete, expected a finished result");
+  if (!info.complete) throw InputError(inFile(file), "not complete, expected a finished result");
   return info;
 }
 
@@ -72,17 +73,17 @@ int compare(const CompareOptions& options) {
 /// whole.
 void refuseAsReference(const ResultChoice& a, const ResultInfo& info) {
   if (!a.run.empty())
-    throw InputError(a.file.string() + ": --update takes whole results, expected no run's name");
+    throw InputError(inFile(a.file), "--update takes whole results, expected no run's name");
   for (const PipelineResult& run : info.pipelines)
-    if (run.status.status != "ok")
-      throw InputError(a.file.string() + ": run " + run.name + " is " + run.status.status +
-                       ", expected only runs that are ok in a reference");
+    if (run.status.end != RunEnd::ok)
+      throw InputError(inFile(a.file), "run " + run.name + " is " + nameOf(run.status.end) +
+                                           ", expected only runs that are ok in a reference");
   const ResultComparison self = compareResults(a, info, a, info, {});
   for (const RunComparison& run : self.runs)
     for (const QuantityComparison& made : run.quantities)
       if (!made.agrees)
-        throw InputError(a.file.string() + ": " + run.a.run->name + "/" + made.quantity + ": " +
-                         made.problem + ", expected numbers in a reference");
+        throw InputError(inFile(a.file), run.a.run->name + "/" + made.quantity + ": " + made.problem +
+                                             ", expected numbers in a reference");
 }
 
 int update(const CompareOptions& options) {
@@ -91,13 +92,13 @@ int update(const CompareOptions& options) {
     throw InputError(options.b + ": --update writes a file, expected its name alone");
   std::error_code missing;
   if (std::filesystem::equivalent(a.file, b.file, missing))
-    throw InputError(b.file.string() + ": is the result itself, expected another name for the reference");
+    throw InputError(inFile(b.file), "is the result itself, expected another name for the reference");
   const ResultInfo info_a = readWhole(a.file);
   refuseAsReference(a, info_a);
   if (std::filesystem::exists(b.file)) {
     try {
       const ResultInfo info_b = readWhole(b.file);
-      if (!info_b.reference) throw InputError(b.file.string() + ": is no reference, expected one to replace");
+      if (!info_b.reference) throw InputError(inFile(b.file), "is no reference, expected one to replace");
       const ResultComparison old = compareResults(a, info_a, b, info_b, {{}, true});
       if (old.agrees()) {
         std::cout << "reference: " << b.file.string() << " is up to date\n";

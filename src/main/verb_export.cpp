@@ -44,11 +44,7 @@ std::vector<std::string> chosenRuns(const ExportOptions& options, const ResultIn
   for (const std::string& name : names) known.append(known.empty() ? "" : ", ").append(name);
   for (const std::string& wanted : options.pipelines)
     if (std::find(names.begin(), names.end(), wanted) == names.end())
-      throw InputError(std::string(options.result)
-                           .append(": has no run \"")
-                           .append(wanted)
-                           .append("\", expected one of ")
-                           .append(known));
+      throw InputError(inFile(options.result), "has no run \"" + wanted + "\", expected one of " + known);
   if (options.pipelines.empty()) return names;
   std::vector<std::string> chosen;
   for (const std::string& wanted : options.pipelines)
@@ -60,20 +56,22 @@ std::vector<std::string> chosenRuns(const ExportOptions& options, const ResultIn
 std::list<ExportedRun> openRuns(const ExportOptions& options) {
   const ResultInfo info = readResultInfo(options.result);
   if (!info.complete || info.reference)
-    throw InputError(options.result +
-                     (info.reference ? ": a reference, with a few rows of each series" : ": not complete") +
-                     ", expected a finished result");
+    throw InputError(
+        inFile(options.result),
+        std::string(info.reference ? "a reference, with a few rows of each series" : "not complete") +
+            ", expected a finished result");
   std::list<ExportedRun> runs;
   for (const std::string& name : chosenRuns(options, info)) {
     if (!runs.emplace_back(options.result, name).meshes.times_s.empty()) continue;
     if (!options.pipelines.empty())
-      throw InputError(options.result + ": run " + name +
-                       " has no snapshots, expected some (record: {snapshots_every_s: 0.01})");
+      throw InputError(
+          inFile(options.result),
+          "run " + name + " has no snapshots, expected some (record: {snapshots_every_s: 0.01})");
     runs.pop_back();
   }
   if (runs.empty())
-    throw InputError(options.result +
-                     ": has no snapshots, expected some (record: {snapshots_every_s: 0.01})");
+    throw InputError(inFile(options.result),
+                     "has no snapshots, expected some (record: {snapshots_every_s: 0.01})");
   return runs;
 }
 

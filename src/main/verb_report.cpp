@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "base/error.h"
@@ -51,7 +52,7 @@ void writeResultPage(const fs::path& result, const fs::path& output, const Repor
         },
         patience_s(result) + drawing_s);
   } catch (const LostApart& lost) {
-    throw InputError(result.string() + ": a damaged file (" + lost.what() + ")");
+    throw InputError(inFile(result), std::string("a damaged file (") + lost.what() + ")");
   }
 }
 
@@ -69,8 +70,8 @@ std::vector<fs::path> resultsBelow(const fs::path& folder) {
       results.push_back(entry->path());
     entry.increment(error);
   }
-  if (error) throw InputError(folder.string() + ": cannot be read: " + error.message());
-  if (results.empty()) throw InputError(folder.string() + ": holds no result, expected *.h5 files");
+  if (error) throw InputError(inFile(folder), "cannot be read: " + error.message());
+  if (results.empty()) throw InputError(inFile(folder), "holds no result, expected *.h5 files");
   std::sort(results.begin(), results.end());
   return results;
 }
@@ -116,8 +117,7 @@ FolderEntry reportOne(const fs::path& result, const fs::path& table, const Repor
     }
     entry.page = linkTo(page);
   } catch (const InputError& error) {
-    const std::string reason = error.what(), start = result.string() + ": ";
-    entry.problem = reason.starts_with(start) ? reason.substr(start.size()) : reason;
+    entry.problem = error.isAbout(result) ? error.text() : error.what();
   }
   return entry;
 }
@@ -127,12 +127,12 @@ void checkPages(const std::vector<fs::path>& results, const fs::path& table, con
   for (const fs::path& result : results) {
     const fs::path page = table.parent_path() / pageName(result, options.input);
     if (sameFile(result, table))
-      throw InputError(table.string() + ": is a result itself, expected another name for the page");
+      throw InputError(inFile(table), "is a result itself, expected another name for the page");
     if (page.lexically_normal() == table.lexically_normal())
-      throw InputError(table.string() + ": is the page of " + result.string() +
-                       " too, expected another name for the table");
+      throw InputError(inFile(table),
+                       "is the page of " + result.string() + " too, expected another name for the table");
     if (std::error_code ignored; !options.force && fs::exists(page, ignored))
-      throw InputError(page.string() + ": exists already, expected another folder or --force");
+      throw InputError(inFile(page), "exists already, expected another folder or --force");
   }
 }
 

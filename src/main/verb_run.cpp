@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "batch/batch.h"
@@ -43,8 +44,9 @@ std::vector<Experiment> prepare(const RunOptions& options) {
   for (std::size_t i = 0; i < checked.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (outputOf(options, checked[i]) == outputOf(options, checked[j]))
-        throw InputError(checked[i].file.string() + ": is named as " + checked[j].file.string() +
-                         " is, both would write " + outputOf(options, checked[i]).string());
+        throw InputError(inFile(checked[i].file), "is named as " + checked[j].file.string() +
+                                                      " is, both would write " +
+                                                      outputOf(options, checked[i]).string());
   std::vector<Experiment> experiments;
   experiments.reserve(checked.size());
   for (CheckedScenario& scenario : checked) {

@@ -30,12 +30,12 @@ LoadedScenario scenarioOf(const PartContent& content, const std::string& part) {
   try {
     loaded = parseStoredScenario(content.scenario_resolved);
   } catch (const InputError& error) {
-    throw InputError(part + ": its scenario cannot be read: " + error.what());
+    throw InputError(inFile(part), std::string("its scenario cannot be read: ") + error.what());
   }
   std::erase_if(loaded.scenario.pipelines,
                 [&](const PipelineSettings& entry) { return entry.name != content.pipeline; });
   if (loaded.scenario.pipelines.empty())
-    throw InputError(part + ": its scenario has no pipeline entry \"" + content.pipeline + "\"");
+    throw InputError(inFile(part), "its scenario has no pipeline entry \"" + content.pipeline + "\"");
   return loaded;
 }
 
@@ -52,7 +52,7 @@ int salvage(const SalvageOptions& options, const std::string& command_line) {
   const fs::path output = outputOf(options, loaded);
   std::error_code missing;
   if (fs::equivalent(options.part, output, missing))
-    throw InputError(output.string() + ": is the part itself, expected another name for the result");
+    throw InputError(inFile(output), "is the part itself, expected another name for the result");
   const OutputClaim claim(output, options.force);
   salvageApart(output, loaded, salvageProvenance(loaded, command_line),
                {loaded.scenario.pipelines.front(), options.part, content.status});

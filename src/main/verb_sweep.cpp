@@ -4,6 +4,7 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
@@ -132,22 +133,23 @@ Provenance provenanceOf(const SweepPlan& plan, const std::string& command_line) 
   return collectProvenance(base, inputs, command_line, {now, now, 0});
 }
 
-int codeOf(const std::map<std::string, std::size_t>& counts) {
-  for (const auto& [status, count] : counts)
-    if (status != "ok") return exit_run_failed;
+int codeOf(const std::map<RunEnd, std::size_t>& counts) {
+  for (const auto& [end, count] : counts)
+    if (end != RunEnd::ok) return exit_run_failed;
   return exit_good;
 }
 
-nlohmann::ordered_json countsJson(const std::map<std::string, std::size_t>& counts) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
-  for (const auto& [status, count] : counts) json[status] = count;
-  return json;
+/// The counts in the order of the names.
+std::map<std::string, std::size_t> byName(const std::map<RunEnd, std::size_t>& counts) {
+  std::map<std::string, std::size_t> named;
+  for (const auto& [end, count] : counts) named[nameOf(end)] = count;
+  return named;
 }
 
 void printCounts(const SweepPlan& plan, const SweepState& state) {
   std::cout << counted(plan.runs(), "run") << ":";
   const char* comma = " ";
-  for (const auto& [status, count] : countRuns(plan, state)) {
+  for (const auto& [status, count] : byName(countRuns(plan, state))) {
     std::cout << comma << count << " " << status;
     comma = ", ";
   }
@@ -190,7 +192,7 @@ int finish(const SweepPlan& plan, const fs::path& folder, bool json, const std::
                            {"sweep", plan.manifest().settings.name},
                            {"runs", plan.runs()},
                            {"simulations", plan.tasks().size()},
-                           {"status", countsJson(counts)},
+                           {"status", byName(counts)},
                            {"table", tableFile(folder).string()},
                            {"csv", csvFile(folder).string()}});
   } else {
@@ -328,7 +330,7 @@ int showStatus(const FolderOptions& options) {
                            {"runs", plan.runs()},
                            {"simulations", plan.tasks().size()},
                            {"unfinished_simulations", state.unfinished().size()},
-                           {"status", countsJson(counts)}});
+                           {"status", byName(counts)}});
     return exit_good;
   }
   printPlan(plan, std::cout);

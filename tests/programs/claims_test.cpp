@@ -15,7 +15,7 @@ namespace {
 double quantity(const ResultInfo& info, const std::string& pipeline, const std::string& name) {
   for (const PipelineResult& result : info.pipelines) {
     if (result.name != pipeline) continue;
-    EXPECT_EQ(result.status.status, "ok") << result.status.detail;
+    EXPECT_EQ(nameOf(result.status.end), "ok") << result.status.detail;
     for (const SummaryValue& value : result.summary) {
       if (value.name != name) continue;
       if (const double* real = std::get_if<double>(&value.value)) return *real;

@@ -233,7 +233,8 @@ void writeSweep(const std::filesystem::path& path) {
   layout.runs = 3;
   SweepTableWriter writer(path, layout);
   for (int run = 0; run < 3; ++run) {
-    SweepRun row{.point = run, .pipeline = "fukuhara", .status = "ok", .file = "runs/" + std::to_string(run)};
+    SweepRun row{
+        .point = run, .pipeline = "fukuhara", .end = RunEnd::ok, .file = "runs/" + std::to_string(run)};
     const double k = 100.0 * (run + 1);
     row.values = {formatReal(k)};
     for (const double time_s : layout.curve_time_s) row.curves.push_back(0.01 * time_s);

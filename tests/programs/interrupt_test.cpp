@@ -67,8 +67,8 @@ TEST(Interrupted, FinishedPipelinesOfAScenarioAreKept) {
   const ResultInfo info = readResultInfo(folder / "out.h5");
   EXPECT_TRUE(info.complete);
   ASSERT_EQ(info.pipelines.size(), 2u);
-  EXPECT_EQ(info.pipelines[0].status.status, "ok");
-  EXPECT_EQ(info.pipelines[1].status.status, "interrupted");
+  EXPECT_EQ(nameOf(info.pipelines[0].status.end), "ok");
+  EXPECT_EQ(nameOf(info.pipelines[1].status.end), "interrupted");
 }
 
 // With --force an older, whole result is not given up for a part of a newer one.
@@ -86,7 +86,7 @@ TEST(Interrupted, AnOlderResultIsLeftAlone) {
   EXPECT_EQ(run.wait().code, 130);
   EXPECT_EQ(folder.names(), (Names{"out.h5", "out.interrupted.h5", "s.yaml"}));
   EXPECT_EQ(folder.read("out.h5"), older);
-  EXPECT_EQ(readResultInfo(folder / "out.interrupted.h5").pipelines[0].status.status, "ok");
+  EXPECT_EQ(nameOf(readResultInfo(folder / "out.interrupted.h5").pipelines[0].status.end), "ok");
 }
 
 // Workers read a log for themselves: one that changes under way may have given them different motions.
@@ -100,7 +100,7 @@ TEST(Inputs, ChangedWhileTheRunsGoOnFailThem) {
   EXPECT_EQ(run.wait().code, 3);
   const ResultInfo info = readResultInfo(folder / "out.h5");
   ASSERT_EQ(info.pipelines.size(), 2u);
-  EXPECT_EQ(info.pipelines[1].status.status, "failed");
+  EXPECT_EQ(nameOf(info.pipelines[1].status.end), "failed");
   EXPECT_NE(info.pipelines[1].status.detail.find("changed"), std::string::npos);
 }
 
@@ -118,8 +118,8 @@ TEST(Killed, WorkerIsACrashAndTheOthersGoOn) {
   EXPECT_EQ(folder.names(), (Names{"out.h5", "s.yaml"}));
   const ResultInfo info = readResultInfo(folder / "out.h5");
   ASSERT_EQ(info.pipelines.size(), 2u);
-  EXPECT_EQ(info.pipelines[0].status.status, "crashed");
-  EXPECT_EQ(info.pipelines[1].status.status, "ok");
+  EXPECT_EQ(nameOf(info.pipelines[0].status.end), "crashed");
+  EXPECT_EQ(nameOf(info.pipelines[1].status.end), "ok");
 }
 
 TEST(Killed, FrontTakesItsWorkerAlongAndLeavesNoResult) {
@@ -143,7 +143,7 @@ TEST(TimeLimit, IsRecorded) {
   const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
   EXPECT_EQ(outcome.code, 3);
   const ResultInfo info = readResultInfo(folder / "out.h5");
-  EXPECT_EQ(info.pipelines.at(0).status.status, "timeout");
+  EXPECT_EQ(nameOf(info.pipelines.at(0).status.end), "timeout");
   EXPECT_NE(info.pipelines.at(0).status.detail.find("time limit of 0.5 s reached after step "),
             std::string::npos)
       << info.pipelines.at(0).status.detail;
@@ -161,7 +161,7 @@ void expectFailedCleanly(const Outcome& outcome, const Folder& folder, const std
   const ResultInfo info = readResultInfo(result);
   EXPECT_TRUE(info.complete);
   const RunStatus& status = info.pipelines.at(0).status;
-  EXPECT_EQ(status.status, "failed") << status.detail;
+  EXPECT_EQ(nameOf(status.end), "failed") << status.detail;
   EXPECT_NE(status.detail, "");
   EXPECT_EQ(status.detail.find('/'), std::string::npos) << status.detail << ": a folder of this machine";
 }

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <pty.h>
+#include <regex.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -202,6 +203,16 @@ std::string pythonWith(const std::string& module) {
   for (const std::string python : {"/usr/bin/python3", "python3"})
     if (runTool(folder, {python, "-c", "import " + module}).code == 0) return python;
   return "";
+}
+
+bool hasMatch(const std::string& text, const std::string& expression) {
+  regex_t compiled;
+  const int flags = REG_EXTENDED | REG_NEWLINE | REG_NOSUB;
+  if (::regcomp(&compiled, expression.c_str(), flags) != 0)
+    throw std::logic_error("no regular expression: " + expression);
+  const bool found = ::regexec(&compiled, text.c_str(), 0, nullptr, 0) == 0;
+  ::regfree(&compiled);
+  return found;
 }
 
 bool isOneLine(const std::string& text) {

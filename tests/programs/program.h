@@ -80,6 +80,9 @@ bool endsSoon(pid_t process, double most_s = 5);
 /// A python3 that has `module`; empty when there is none.
 std::string pythonWith(const std::string& module);
 
+/// Whether a line of `text` holds what a POSIX extended regular expression says.
+bool hasMatch(const std::string& text, const std::string& expression);
+
 /// Is `text` one line: text, and one '\n' at its end?
 bool isOneLine(const std::string& text);
 

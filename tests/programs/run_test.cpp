@@ -41,7 +41,7 @@ TEST(Run, WritesOneFileBelowResults) {
   ASSERT_EQ(info.pipelines.size(), 2u);
   EXPECT_EQ(info.pipelines[0].name, "default");
   EXPECT_EQ(info.pipelines[1].name, "fukuhara");
-  for (const PipelineResult& pipeline : info.pipelines) EXPECT_EQ(pipeline.status.status, "ok");
+  for (const PipelineResult& pipeline : info.pipelines) EXPECT_EQ(nameOf(pipeline.status.end), "ok");
 }
 
 // Header of three lines, one line a pipeline, the last line says where the result is. Numbers end in one

@@ -69,7 +69,7 @@ void expectBeginning(const Folder& folder, const std::string& salvaged) {
   EXPECT_EQ(info.format, "fissure-result");
   ASSERT_EQ(info.pipelines.size(), 1u);
   const RunStatus& status = info.pipelines[0].status;
-  EXPECT_EQ(status.status, "salvaged");
+  EXPECT_EQ(nameOf(status.end), "salvaged");
   const std::string place = "/pipelines/fukuhara/";
   const std::size_t rows = readSeries(folder / salvaged, place + "time").values.size();
   ASSERT_GT(rows, 1u);  // a block, or what ten seconds brought where that takes longer
@@ -136,7 +136,7 @@ TEST(Salvage, KeptPartOfAKilledWorker) {
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(nlohmann::json::parse(outcome.out).at("kept_parts"), nlohmann::json({"out.h5.fukuhara.part"}));
   EXPECT_EQ(folder.names(), (Names{"out.h5", "out.h5.fukuhara.part", "s.yaml"}));
-  EXPECT_EQ(readResultInfo(folder / "out.h5").pipelines.at(0).status.status, "crashed");
+  EXPECT_EQ(nameOf(readResultInfo(folder / "out.h5").pipelines.at(0).status.end), "crashed");
   EXPECT_EQ(runFissure(folder, {"salvage", "out.h5.fukuhara.part", "-o", "salvaged.h5"}).code, 0);
   expectBeginning(folder, "salvaged.h5");
   expectRefused(folder, {"salvage", "out.h5.fukuhara.part", "-o", "out.h5.fukuhara.part", "--force"},

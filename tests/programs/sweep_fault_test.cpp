@@ -7,7 +7,6 @@
 #include <csignal>
 #include <fstream>
 #include <random>
-#include <regex>
 #include <thread>
 
 #include "program.h"
@@ -61,8 +60,12 @@ class Disturbed : public testing::Test {
 
 /// "to do: 3 of 12 simulations": 3.
 int toDo(const Outcome& outcome) {
-  std::smatch found;
-  return std::regex_search(outcome.out, found, std::regex("to do: ([0-9]+) of")) ? std::stoi(found[1]) : -1;
+  const std::string start = "to do: ";
+  const std::size_t at = outcome.out.find(start);
+  if (at == std::string::npos) return -1;
+  const std::string rest = outcome.out.substr(at + start.size());
+  const std::size_t digits = std::min(rest.find_first_not_of("0123456789"), rest.size());
+  return digits > 0 && rest.substr(digits).starts_with(" of") ? std::stoi(rest.substr(0, digits)) : -1;
 }
 
 TEST_F(Disturbed, KilledAtAnyMomentItGoesOn) {

@@ -31,7 +31,7 @@ void writeApart(const fs::path& output, const std::vector<PartResult>& parts,
 
 void failFor(PartResult& result, const std::string& reason) {
   RunStatus& status = result.status;
-  if (status.status == "ok") status.status = "failed";
+  if (status.end == RunEnd::ok) status.end = RunEnd::failed;
   status.detail += (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + reason;
   result.part.reset();
 }
@@ -70,7 +70,7 @@ void salvageApart(const fs::path& output, const LoadedScenario& loaded, const Pr
   try {
     writeApart(output, {part}, [&] { assembleSalvaged(output, loaded, provenance, part); });
   } catch (const LostApart& lost) {
-    throw InputError(part.part->string() + ": a damaged part file (" + lost.what() + ")");
+    throw InputError(inFile(*part.part), std::string("a damaged part file (") + lost.what() + ")");
   }
 }
 

@@ -32,8 +32,8 @@ BatchOutcome Batch::outcome() const {
       if (!checked.holds) outcome = std::max(outcome, BatchOutcome::unexpected);
     if (!experiment.error().empty()) outcome = BatchOutcome::failed;
     for (const PartResult& result : experiment.results()) {
-      if (result.status.status == "interrupted") return BatchOutcome::interrupted;
-      if (result.status.status != "ok") outcome = BatchOutcome::failed;
+      if (result.status.end == RunEnd::interrupted) return BatchOutcome::interrupted;
+      if (result.status.end != RunEnd::ok) outcome = BatchOutcome::failed;
     }
   }
   return outcome;

@@ -19,8 +19,7 @@ void refuseInputsAsOutput(const LoadedScenario& loaded, const fs::path& output) 
   for (const fs::path& input : loaded.inputs) {
     std::error_code missing;
     if (fs::equivalent(input, output, missing))
-      throw InputError(output.string() +
-                       ": is an input of the scenario, expected another name for the result");
+      throw InputError(inFile(output), "is an input of the scenario, expected another name for the result");
   }
 }
 
@@ -42,7 +41,7 @@ void refuseKeptParts(const Scenario& scenario, const fs::path& output) {
   for (const PipelineSettings& pipeline : scenario.pipelines) {
     const fs::path kept = keptPart(output, pipeline.name);
     if (fs::exists(kept))
-      throw InputError(kept.string() + ": kept by an earlier run, salvage it, remove it or use --force");
+      throw InputError(inFile(kept), "kept by an earlier run, salvage it, remove it or use --force");
   }
 }
 
@@ -59,12 +58,12 @@ RunStatus statusIn(const fs::path& part, const std::string& name) {
   try {
     tryReading(part, [&] { inspectPart(part); });
     for (const PipelineResult& result : readResultInfo(part).pipelines)
-      if (result.name == name && (result.status.status == "ok" || result.status.status == "non_finite"))
+      if (result.name == name && (result.status.end == RunEnd::ok || result.status.end == RunEnd::non_finite))
         return result.status;
   } catch (const std::runtime_error& error) {
-    return {"failed", std::string("the worker left no whole part: ") + error.what()};
+    return {RunEnd::failed, std::string("the worker left no whole part: ") + error.what()};
   }
-  return {"failed", "the worker ended without finishing its part"};
+  return {RunEnd::failed, "the worker ended without finishing its part"};
 }
 
 }  // namespace
@@ -104,10 +103,10 @@ void Experiment::noteStart() {
 
 void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
   PartResult& result = results_[index];
-  result.status = status.status == "ok" ? statusIn(partOf(index), result.pipeline.name) : status;
+  result.status = status.end == RunEnd::ok ? statusIn(partOf(index), result.pipeline.name) : status;
   const fs::path folder = fs::absolute(checked_.loaded.scenario.directory);
   result.status.detail = without(without(result.status.detail, slot_->parts()), folder);
-  if (result.status.status == "ok" || result.status.status == "non_finite") {
+  if (result.status.end == RunEnd::ok || result.status.end == RunEnd::non_finite) {
     result.part = partOf(index);
   } else if (!keep_parts_) {
     std::error_code ignored;
@@ -118,7 +117,7 @@ void Experiment::noteEnd(std::size_t index, const RunStatus& status) {
 
 bool Experiment::interrupted() const {
   return std::any_of(results_.begin(), results_.end(),
-                     [](const PartResult& result) { return result.status.status == "interrupted"; });
+                     [](const PartResult& result) { return result.status.end == RunEnd::interrupted; });
 }
 
 /// Workers read logs for themselves: when one changed meanwhile, the runs may not have had the same motion.
@@ -131,8 +130,8 @@ void Experiment::refuseChangedInputs() {
   }
   if (now == input_hashes_) return;
   for (PartResult& result : results_) {
-    if (result.status.status == "ok")
-      result.status = {"failed",
+    if (result.status.end == RunEnd::ok)
+      result.status = {RunEnd::failed,
                        "an input file of the scenario was changed or removed while the runs went on"};
   }
 }
@@ -198,11 +197,11 @@ void Experiment::keepUnder(const fs::path& kept, std::size_t index) {
     kept_parts_.push_back(kept);
   } catch (const fs::filesystem_error& error) {
     unkept_parts_.push_back(results_[index].pipeline.name + ": " + error.code().message());
+  } catch (const InputError& error) {
+    unkept_parts_.push_back(results_[index].pipeline.name + ": " +
+                            (error.isAbout(part) ? error.text() : error.what()));
   } catch (const std::runtime_error& error) {
-    std::string reason = error.what();
-    const std::string about = part.string() + ": ";
-    if (reason.starts_with(about)) reason.erase(0, about.size());
-    unkept_parts_.push_back(results_[index].pipeline.name + ": " + reason);
+    unkept_parts_.push_back(results_[index].pipeline.name + ": " + error.what());
   }
 }
 

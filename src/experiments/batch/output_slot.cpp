@@ -38,7 +38,7 @@ OutputSlot::OutputSlot(const fs::path& output, bool replace) : output_(output), 
   removeLeftovers();
   std::string name = hiddenBeside(output, ".XXXXXX").string();
   if (!::mkdtemp(name.data()))
-    throw InputError(output.string() + ": cannot be written: " + std::strerror(errno));
+    throw InputError(inFile(output), std::string("cannot be written: ") + std::strerror(errno));
   parts_ = name;
 }
 

@@ -22,7 +22,7 @@ std::vector<Override> parseOverrides(const std::vector<std::string>& texts) {
   for (const std::string& text : texts) {
     const std::size_t equals = text.find('=');
     if (equals == 0 || equals == std::string::npos)
-      throw InputError("--set " + text + ": not an override, expected path=value");
+      throw InputError(ofOverride(text), "not an override, expected path=value");
     overrides.push_back({text.substr(0, equals), text.substr(equals + 1)});
   }
   return overrides;
@@ -37,7 +37,7 @@ void select(const std::vector<std::string>& names, CheckedScenario& checked) {
   for (const PipelineSettings& entry : pipelines) known.push_back(entry.name);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(checked.file.string() + ": no pipeline \"" + name + "\"" + didYouMean(name, known));
+      throw InputError(inFile(checked.file), "no pipeline \"" + name + "\"" + didYouMean(name, known));
   const auto dropped = [&](const std::string& name) {
     return std::find(names.begin(), names.end(), name) == names.end();
   };
@@ -48,21 +48,23 @@ void select(const std::vector<std::string>& names, CheckedScenario& checked) {
 }
 
 void checkFixed(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
-  const std::string where = file + ": bodies." + body.name + ".fixed";
+  const std::string where = "bodies." + body.name + ".fixed";
   for (std::size_t i = 0; i < body.fixed.size(); ++i) {
     if (verticesIn(body.fixed[i], rest).empty())
-      throw InputError(where + "." + std::to_string(i) +
-                       " holds no vertex of the body as it is placed, expected at least one");
+      throw InputError(inFile(file),
+                       where + "." + std::to_string(i) +
+                           " holds no vertex of the body as it is placed, expected at least one");
   }
   if (fixedVertices(body, rest).size() == rest.vertices_m.size())
-    throw InputError(where + " holds every vertex of the body, expected some that can move");
+    throw InputError(inFile(file), where + " holds every vertex of the body, expected some that can move");
 }
 
 void checkGauges(const std::string& file, const BodySettings& body, const TriangleMesh& rest) {
   for (const GaugeSettings& gauge : body.gauges) {
     if (verticesIn(gauge.box, rest).empty())
-      throw InputError(file + ": bodies." + body.name + ".gauges." + gauge.name +
-                       " holds no vertex of the body as it is placed, expected at least one");
+      throw InputError(inFile(file),
+                       "bodies." + body.name + ".gauges." + gauge.name +
+                           " holds no vertex of the body as it is placed, expected at least one");
   }
 }
 
@@ -114,9 +116,9 @@ class SurfaceReport {
   void finish() {
     if (all_.empty()) return;
     lines_.insert(lines_.begin(), checked_.notes.begin(), checked_.notes.end());
-    const std::string file = checked_.file.string() + ": ";
-    for (std::string& line : lines_) line.insert(0, file);
-    throw BadSurfaces(file + all_, std::move(lines_));
+    const Origin origin = inFile(checked_.file);
+    for (std::string& line : lines_) line.insert(0, origin.beginning());
+    throw BadSurfaces(origin, all_, std::move(lines_));
   }
 
  private:
@@ -159,9 +161,9 @@ void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
   const bool convex = tool.closed && isConvex(tool.surface);
   for (const PipelineSettings& entry : checked.loaded.scenario.pipelines) {
     const auto refuse = [&](const char* what, const char* needs, const char* expected) {
-      throw InputError(checked.file.string() + ": tools." + tool.name + ".shape " + what + ", and run " +
-                       entry.name + " (pipeline " + entry.pipeline + ") needs " + needs + ", expected " +
-                       expected);
+      throw InputError(inFile(checked.file), "tools." + tool.name + ".shape " + what + ", and run " +
+                                                 entry.name + " (pipeline " + entry.pipeline + ") needs " +
+                                                 needs + ", expected " + expected);
     };
     if ((entry.usesSdf() || entry.usesClusters()) && !convex)
       refuse("is not convex and closed", "that", "pipelines raycast and fukuhara alone");
@@ -179,7 +181,7 @@ Scene sceneOf(const CheckedScenario& checked, const SurfaceFiles& files) {
   try {
     return buildScene(scenario, with_nodes, files);
   } catch (const InputError& error) {
-    throw InputError(checked.file.string() + ": " + error.what());
+    throw InputError(inFile(checked.file), error.what());
   }
 }
 
@@ -222,12 +224,12 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   checked.duration_s = scenario.time.duration_s.value_or(prepared.longestMotion_s());
   const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);
   if (!(steps <= max_steps))
-    throw InputError(file.string() +
-                     ": time.step_s: the motion of a tool lasts more than 1e8 steps, expected fewer");
+    throw InputError(inFile(file),
+                     "time.step_s: the motion of a tool lasts more than 1e8 steps, expected fewer");
   checked.steps = static_cast<std::int64_t>(steps);
   if (checked.steps < 1)
-    throw InputError(file.string() +
-                     ": time.duration_s: the run has no step, expected a duration of at least one step_s, "
+    throw InputError(inFile(file),
+                     "time.duration_s: the run has no step, expected a duration of at least one step_s, "
                      "given or by the motion of a tool");
   return checked;
 }

@@ -23,11 +23,10 @@ struct Selection {
 /// Surfaces that cannot be simulated: all that is wrong with them. what() says it in one line.
 class BadSurfaces : public InputError {
  public:
-  BadSurfaces(const std::string& what, std::vector<std::string> lines)
-      : InputError(what), lines_(std::move(lines)) {}
-  const std::vector<std::string>& lines() const {
-    return lines_;
-  }  ///< one a kind of defect, and what was expected
+  BadSurfaces(const Origin& origin, const std::string& text, std::vector<std::string> lines)
+      : InputError(origin, text), lines_(std::move(lines)) {}
+  /// One per kind of defect, and what was expected.
+  const std::vector<std::string>& lines() const { return lines_; }
 
  private:
   std::vector<std::string> lines_;

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "fit/fit_intervals.h"
 #include "fit/fit_problem.h"
+#include "text/units.h"
 
 namespace fissure {
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -103,13 +102,6 @@ double& valueOf(ForceModel law, FitValues& values, FitParameter parameter) {
 double valueOf(ForceModel law, const FitValues& values, FitParameter parameter) {
   FitValues copy = values;
   return valueOf(law, copy, parameter);
-}
-
-std::string fourDigits(double value) {
-  std::array<char, 32> text{};
-  const auto [end, error] =
-      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
-  return {text.data(), end};
 }
 
 std::unique_ptr<LawModel> makeProbeModel(ForceModel law, const MeasuredCurve& curve) {

@@ -35,9 +35,6 @@ constexpr std::size_t index(FitParameter parameter) {
   return static_cast<std::size_t>(parameter);
 }
 
-/// Four digits, for people.
-std::string fourDigits(double value);
-
 /// What a law gives at the points of a measurement, as a function of its coefficients.
 class LawModel {
  public:

@@ -164,9 +164,10 @@ class CurveReader {
       if (!columns_.contains(CurveRole::time)) sortByDepth(curve);
       if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
       if (curve.force_N.empty())
-        throw InputError(table_.fileName() + ": no row of curve " + curve.name +
-                         " is a point of contact, expected numbers and depths >= 0 (is the "
-                         "depth's sign turned? a factor of -0.001 makes it metres)");
+        throw InputError(inFile(table_.fileName()),
+                         "no row of curve " + curve.name +
+                             " is a point of contact, expected numbers and depths >= 0 (is the "
+                             "depth's sign turned? a factor of -0.001 makes it metres)");
       warn(curve);
       curve.file = table_.fileName();
       for (const CurveRole role : {CurveRole::sigma, CurveRole::weight})
@@ -184,7 +185,7 @@ class CurveReader {
   };
 
   InputError fileError(const std::string& what, const std::string& expected) const {
-    return {table_.fileName(), table_.headerLine(), what + ", expected " + expected};
+    return {inFile(table_.fileName(), table_.headerLine()), what + ", expected " + expected};
   }
 
   std::string missing(const std::string& example) const {
@@ -238,7 +239,7 @@ class CurveReader {
     const double value = table_.number(column->second.column);
     if (std::isinf(value))
       throw InputError(
-          table_.fileName(), table_.line(),
+          inFile(table_.fileName(), table_.line()),
           "an infinite " + std::string(infoOf(role).name) + ", expected a number like 0.0125 or nothing");
     return value * column->second.to_si;
   }
@@ -255,13 +256,14 @@ class CurveReader {
   double weightOfRow() const {
     if (columns_.contains(CurveRole::weight)) {
       const double weight = number(CurveRole::weight);
-      if (weight < 0) throw InputError(table_.fileName(), table_.line(), "a weight below 0, expected >= 0");
+      if (weight < 0)
+        throw InputError(inFile(table_.fileName(), table_.line()), "a weight below 0, expected >= 0");
       return weight;
     }
     if (!columns_.contains(CurveRole::sigma)) return 1;
     const double sigma_N = number(CurveRole::sigma);
     if (sigma_N <= 0)
-      throw InputError(table_.fileName(), table_.line(), "a sigma of 0 or less, expected > 0");
+      throw InputError(inFile(table_.fileName(), table_.line()), "a sigma of 0 or less, expected > 0");
     return 1 / (sigma_N * sigma_N);
   }
 
@@ -274,7 +276,8 @@ class CurveReader {
       return;
     }
     if (!curve.time_s.empty() && time_s < curve.time_s.back())
-      throw InputError(table_.fileName(), table_.line(), "the time goes back, expected times in order");
+      throw InputError(inFile(table_.fileName(), table_.line()),
+                       "the time goes back, expected times in order");
     if (columns_.contains(CurveRole::depth)) curve.depth_m.push_back(depth_m);
     if (columns_.contains(CurveRole::time)) curve.time_s.push_back(time_s);
     curve.force_N.push_back(force_N);

@@ -11,6 +11,7 @@
 #include "store/result_file.h"
 #include "store/run_reader.h"
 #include "task/law_family.h"
+#include "text/units.h"
 
 namespace fissure {
 
@@ -149,8 +150,8 @@ std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
   if (info.pipelines.size() == 1) return info.pipelines.front().name;
   std::string names;
   for (const PipelineResult& run : info.pipelines) names += (names.empty() ? "" : ", ") + run.name;
-  throw InputError(file.string() + ": " + std::to_string(info.pipelines.size()) + " runs (" + names +
-                   "), expected FILE:NAME to choose one");
+  throw InputError(inFile(file), std::to_string(info.pipelines.size()) + " runs (" + names +
+                                     "), expected FILE:NAME to choose one");
 }
 
 }  // namespace
@@ -166,7 +167,7 @@ SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::stri
   const std::size_t steps = read.inputs.times_s.size();
   if (position == nullptr || position->rows != steps || position->columns() < 3 ||
       read.laws.size() != read.inputs.laws.size())
-    throw InputError(file.string() + ": run " + name + " has other tool positions than force_inputs");
+    throw InputError(inFile(file), "run " + name + " has other tool positions than force_inputs");
   const std::vector<double> positions_m = reader.all(*position);
   const std::vector<std::size_t>& sizes = read.inputs.row_sizes;
   const auto touched = static_cast<std::size_t>(

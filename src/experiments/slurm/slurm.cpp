@@ -10,12 +10,12 @@
 #include <cstring>
 #include <fstream>
 #include <map>
-#include <regex>
 #include <sstream>
+#include <string_view>
 
 #include "base/error.h"
 #include "process/fed_process.h"
-#include "process/tool.h"
+#include "process/system_program.h"
 #include "slurm/slurm_scripts.h"
 #include "text/scalars.h"
 
@@ -27,30 +27,31 @@ namespace fs = std::filesystem;
 
 constexpr double patience_s = 60;  // a busy controller takes its time
 
-std::string onPath(const char* tool) {
-  const auto program = programOnPath(tool);
-  if (!program) throw RunError(std::string(tool) + ": not on PATH");
+std::string onPath(const char* name) {
+  const auto program = programOnPath(name);
+  if (!program) throw RunError(std::string(name) + ": not on PATH");
   return program->string();
 }
 
-std::string noAnswer(const char* tool, double most_s) {
+std::string noAnswer(const char* name, double most_s) {
   std::ostringstream reason;
-  reason << tool << ": no answer within " << most_s << " s";
+  reason << name << ": no answer within " << most_s << " s";
   return reason.str();
 }
 
-/// What a tool that ended has said. Throws RunError unless all went well.
-std::string answerOf(const char* tool, const ToolOutcome& outcome) {
-  if (outcome.code == 0) return outcome.output;
-  const std::string name = std::string(tool) + ": ";
-  if (outcome.error.empty()) throw RunError(name + "exit code " + std::to_string(outcome.code));
-  throw RunError(outcome.error.starts_with(name) ? outcome.error : name + outcome.error);
+/// Why a program failed that ended.
+std::string failureOf(const char* name, const ProgramOutcome& outcome) {
+  const std::string start = std::string(name) + ": ";
+  if (outcome.error.empty()) return start + "exit code " + std::to_string(outcome.code);
+  return outcome.error.starts_with(start) ? outcome.error : start + outcome.error;
 }
 
-std::string said(const char* tool, const std::vector<std::string>& arguments, double most_s = patience_s) {
-  const ToolOutcome outcome = runTool(onPath(tool), arguments, most_s);
-  if (!outcome.in_time) throw RunError(noAnswer(tool, most_s));
-  return answerOf(tool, outcome);
+/// What a program says. Throws RunError unless all went well.
+std::string said(const char* name, const std::vector<std::string>& arguments, double most_s = patience_s) {
+  const ProgramOutcome outcome = runProgram(onPath(name), arguments, most_s);
+  if (!outcome.in_time) throw RunError(noAnswer(name, most_s));
+  if (outcome.code != 0) throw RunError(failureOf(name, outcome));
+  return outcome.output;
 }
 
 /// Fields of the lines of `sacctmgr --parsable2`.
@@ -76,11 +77,28 @@ void takeLeast(std::optional<std::size_t>& least, const std::string& number) {
   if (limit && *limit >= 0) least = std::min(least.value_or(*limit), static_cast<std::size_t>(*limit));
 }
 
+/// Takes what comes next in `text` of these letters.
+std::string_view take(std::string_view& text, const char* letters) {
+  const std::string_view taken = text.substr(0, text.find_first_not_of(letters));
+  text.remove_prefix(taken.size());
+  return taken;
+}
+
+/// The number, of one to nine digits, that a line `key = number` of scontrol's says.
 std::size_t configured(const std::string& config, const std::string& key) {
-  const std::regex line("(^|\n)" + key + "\\s*=\\s*([0-9]{1,9})\\s*(?=\n|$)");
-  std::smatch groups;
-  if (!std::regex_search(config, groups, line)) throw RunError("scontrol: says no " + key);
-  return std::stoul(groups[2]);
+  constexpr const char* spaces = " \t\n\v\f\r";
+  for (std::size_t at = 0; (at = config.find(key, at)) != std::string::npos; ++at) {
+    if (at > 0 && config[at - 1] != '\n') continue;
+    std::string_view rest = std::string_view(config).substr(at + key.size());
+    take(rest, spaces);
+    if (!rest.starts_with('=')) continue;
+    rest.remove_prefix(1);
+    take(rest, spaces);
+    const std::string digits(take(rest, "0123456789"));
+    const bool whole = take(rest, spaces).find('\n') != std::string_view::npos || rest.empty();
+    if (!digits.empty() && digits.size() <= 9 && whole) return std::stoul(digits);
+  }
+  throw RunError("scontrol: says no " + key);
 }
 
 fs::path jobsFile(const fs::path& folder) {
@@ -104,9 +122,9 @@ bool hasSlurm() {
 }
 
 void requireSlurm() {
-  for (const char* tool : {"sbatch", "squeue", "scontrol"})
-    if (!programOnPath(tool))
-      throw InputError("--engine slurm: there is no " + std::string(tool) +
+  for (const char* name : {"sbatch", "squeue", "scontrol"})
+    if (!programOnPath(name))
+      throw InputError("--engine slurm: there is no " + std::string(name) +
                        " on PATH, expected a machine of a Slurm cluster; elsewhere use --shard I/N");
 }
 
@@ -140,18 +158,16 @@ std::optional<std::size_t> submitLimit(double most_s) {
 std::string submitJob(const std::vector<std::string>& arguments, double most_s) {
   std::vector<std::string> words = {"-u", "SBATCH_ARRAY_INX", onPath("sbatch"), "--parsable"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  const ToolOutcome outcome = runTool("/usr/bin/env", words, most_s);
+  const ProgramOutcome outcome = runProgram("/usr/bin/env", words, most_s);
   // The id, on some clusters ";" and the cluster's name; a line that is not whole may be half a number.
   const std::string line = outcome.output.substr(0, outcome.output.find('\n') + 1);
   std::string id = line.substr(0, line.find_first_not_of("0123456789"));
   if (!outcome.in_time && id.empty())
     throw RunError(noAnswer("sbatch", most_s) + "; the job may be queued all the same, squeue says that");
-  try {
-    if (outcome.in_time) answerOf("sbatch", outcome);
-  } catch (const RunError& error) {
-    const std::string reason = error.what();
-    if (reason.find("submit limit") == std::string::npos) throw;
-    throw RunError(reason + "; if these are too many jobs at a time: fewer tasks with --shards N");
+  if (outcome.in_time && outcome.code != 0) {
+    const bool too_many = outcome.error.find("submit limit") != std::string::npos;
+    throw RunError(failureOf("sbatch", outcome) +
+                   (too_many ? "; if these are too many jobs at a time: fewer tasks with --shards N" : ""));
   }
   if (id.empty()) throw RunError("sbatch: names no job");
   return id;

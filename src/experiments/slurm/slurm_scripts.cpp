@@ -1,7 +1,8 @@
 #include "slurm/slurm_scripts.h"
 
 #include <algorithm>
-#include <regex>
+#include <optional>
+#include <string_view>
 
 #include "base/error.h"
 
@@ -10,13 +11,6 @@ namespace fissure {
 namespace {
 
 namespace fs = std::filesystem;
-
-// Patterns of whole lines, so that what people write around them does not matter.
-constexpr const char* about_pattern = "# Sweep (\\S+): ([0-9]+) simulations dealt to ([0-9]+) shards\\..*";
-constexpr const char* array_pattern = "#SBATCH --array=1-([0-9]+)(%[0-9]+)?[ \\t]*";
-constexpr const char* cpus_pattern = "#SBATCH --cpus-per-task=([0-9]+)[ \\t]*";
-constexpr const char* shards_pattern = "shards=([0-9]+)[ \\t]*";
-constexpr const char* program_pattern = "program=(.*)";
 
 std::string aboutLine(const ArrayScript& script) {
   return "# Sweep " + script.sweep + ": " + std::to_string(script.simulations) + " simulations dealt to " +
@@ -31,35 +25,126 @@ std::string shardsLine(const ArrayScript& script) {
   return "shards=" + std::to_string(script.shards);
 }
 
-/// First and last byte of the first line that fits, and what its groups are.
-struct Line {
-  std::size_t at = 0, length = 0;
-  std::smatch groups;
+/// Takes a line apart, from its left to its right.
+class LineScanner {
+ public:
+  explicit LineScanner(std::string_view line) : rest_(line) {}
+
+  /// Whether `text` comes next; it is passed then.
+  bool pass(std::string_view text) {
+    if (!rest_.starts_with(text)) return false;
+    rest_.remove_prefix(text.size());
+    return true;
+  }
+  /// What comes next up to one of these letters; may be empty.
+  std::string takeUntil(const char* letters) { return taken(rest_.find_first_of(letters)); }
+  /// The digits that come next; may be none.
+  std::string digits() { return taken(rest_.find_first_not_of("0123456789")); }
+  /// Whether no more comes than blanks.
+  bool ends() const { return rest_.find_first_not_of(" \t") == std::string_view::npos; }
+  /// Whether the line is one that anything may end: a carriage return makes it another one.
+  bool endsAnyhow() const { return rest_.find('\r') == std::string_view::npos; }
+  std::string rest() const { return std::string(rest_); }
+
+ private:
+  std::string taken(std::size_t length) {
+    std::string text(rest_.substr(0, length));
+    rest_.remove_prefix(text.size());
+    return text;
+  }
+
+  std::string_view rest_;
 };
 
-bool findLine(const std::string& text, const char* pattern, Line& line) {
-  const std::regex expression(pattern);
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = std::min(text.find('\n', at), text.size());
-    const auto first = text.begin() + static_cast<std::ptrdiff_t>(at);
-    if (std::regex_match(first, text.begin() + static_cast<std::ptrdiff_t>(end), line.groups, expression)) {
-      line.at = at;
-      line.length = end - at;
-      return true;
-    }
-    at = end + 1;
+// The lines that are looked for. Each is a whole line, so that what people write around it does not matter;
+// numbers are digits as they are written.
+
+/// "# Sweep NAME: M simulations dealt to N shards.", and anything after that.
+struct AboutLine {
+  std::string sweep, simulations, shards;
+
+  static std::optional<AboutLine> read(std::string_view text) {
+    LineScanner line(text);
+    AboutLine about;
+    if (!line.pass("# Sweep ")) return std::nullopt;
+    about.sweep = line.takeUntil(" \t\n\v\f\r");
+    if (about.sweep.size() < 2 || about.sweep.back() != ':' || !line.pass(" ")) return std::nullopt;
+    about.sweep.pop_back();
+    about.simulations = line.digits();
+    if (about.simulations.empty() || !line.pass(" simulations dealt to ")) return std::nullopt;
+    about.shards = line.digits();
+    if (about.shards.empty() || !line.pass(" shards.") || !line.endsAnyhow()) return std::nullopt;
+    return about;
   }
-  return false;
+};
+
+/// "#SBATCH --array=1-N", perhaps with a throttle.
+struct ArrayLine {
+  std::string last, throttle;
+
+  static std::optional<ArrayLine> read(std::string_view text) {
+    LineScanner line(text);
+    ArrayLine array;
+    if (!line.pass("#SBATCH --array=1-")) return std::nullopt;
+    array.last = line.digits();
+    if (line.pass("%")) {
+      array.throttle = "%" + line.digits();
+      if (array.throttle == "%") return std::nullopt;
+    }
+    if (array.last.empty() || !line.ends()) return std::nullopt;
+    return array;
+  }
+};
+
+/// The digits that follow `start` at the end of the line.
+std::optional<std::string> digitsAfter(std::string_view start, std::string_view text) {
+  LineScanner line(text);
+  if (!line.pass(start)) return std::nullopt;
+  std::string digits = line.digits();
+  if (digits.empty() || !line.ends()) return std::nullopt;
+  return digits;
 }
 
-std::size_t numberOf(const std::smatch& groups, std::size_t group) {
-  const std::string digits = groups[group];
+std::optional<std::string> readCpus(std::string_view line) {
+  return digitsAfter("#SBATCH --cpus-per-task=", line);
+}
+
+std::optional<std::string> readShards(std::string_view line) {
+  return digitsAfter("shards=", line);
+}
+
+/// What follows "program=".
+std::optional<std::string> readProgram(std::string_view text) {
+  LineScanner line(text);
+  if (!line.pass("program=") || !line.endsAnyhow()) return std::nullopt;
+  return line.rest();
+}
+
+/// Where the first line stands that `read` takes, and what it says.
+template <typename Value>
+struct FoundLine {
+  std::size_t at = 0, length = 0;
+  Value value;
+};
+
+template <typename Read>
+auto findLine(const std::string& text, const Read& read)
+    -> std::optional<FoundLine<typename decltype(read(text))::value_type>> {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    if (auto value = read(std::string_view(text).substr(at, end - at))) return {{at, end - at, *value}};
+    at = end + 1;
+  }
+  return std::nullopt;
+}
+
+std::size_t numberOf(const std::string& digits) {
   return digits.size() > 9 ? 999999999 : std::stoul(digits);
 }
 
-void replaceLine(std::string& text, const char* pattern, const std::string& by) {
-  Line line;
-  if (findLine(text, pattern, line)) text.replace(line.at, line.length, by);
+template <typename Read>
+void replaceLine(std::string& text, const Read& read, const std::string& by) {
+  if (const auto line = findLine(text, read)) text.replace(line->at, line->length, by);
 }
 
 }  // namespace
@@ -161,39 +246,40 @@ exec "$program" sweep merge .
 }
 
 ArrayScript readArrayScript(const std::string& text, const fs::path& file) {
-  const auto need = [&](const char* pattern, const char* expected) {
-    Line line;
-    if (!findLine(text, pattern, line))
-      throw InputError(file.string() + ": has no line " + expected +
-                       ", expected it as it was written, or no file, to have it written anew");
-    return line.groups;
+  const auto need = [&](const auto& read, const char* expected) {
+    const auto line = findLine(text, read);
+    if (!line)
+      throw InputError(inFile(file),
+                       std::string("has no line ") + expected +
+                           ", expected it as it was written, or no file, to have it written anew");
+    return line->value;
   };
   ArrayScript script;
-  const std::smatch about = need(about_pattern, "\"# Sweep NAME: M simulations dealt to N shards.\"");
-  script.sweep = about[1];
-  script.simulations = numberOf(about, 2);
-  const std::smatch array = need(array_pattern, "#SBATCH --array=1-N");
-  script.throttle = array[2];
-  script.cpus = numberOf(need(cpus_pattern, "#SBATCH --cpus-per-task=N"), 1);
-  script.shards = numberOf(need(shards_pattern, "shards=N"), 1);
-  script.program = need(program_pattern, "program='...'")[1];
-  if (script.shards == 0) throw InputError(file.string() + ": shards=0, expected at least 1");
-  if (numberOf(array, 1) != script.shards)
-    throw InputError(file.string() + ": --array=1-" + array[1].str() + " with " + shardsLine(script) +
-                     ", expected the same number in both; to change it, --shards N");
+  const AboutLine about = need(AboutLine::read, "\"# Sweep NAME: M simulations dealt to N shards.\"");
+  script.sweep = about.sweep;
+  script.simulations = numberOf(about.simulations);
+  const ArrayLine array = need(ArrayLine::read, "#SBATCH --array=1-N");
+  script.throttle = array.throttle;
+  script.cpus = numberOf(need(readCpus, "#SBATCH --cpus-per-task=N"));
+  script.shards = numberOf(need(readShards, "shards=N"));
+  script.program = need(readProgram, "program='...'");
+  if (script.shards == 0) throw InputError(inFile(file), "shards=0, expected at least 1");
+  if (numberOf(array.last) != script.shards)
+    throw InputError(inFile(file), "--array=1-" + array.last + " with " + shardsLine(script) +
+                                       ", expected the same number in both; to change it, --shards N");
   return script;
 }
 
 std::string withShards(std::string text, const ArrayScript& script) {
-  replaceLine(text, about_pattern, aboutLine(script));
-  replaceLine(text, array_pattern, arrayLine(script));
-  replaceLine(text, shards_pattern, shardsLine(script));
+  replaceLine(text, AboutLine::read, aboutLine(script));
+  replaceLine(text, ArrayLine::read, arrayLine(script));
+  replaceLine(text, readShards, shardsLine(script));
   return text;
 }
 
 bool isUneditedMergeScript(const std::string& text, const std::string& sweep) {
-  Line line;
-  return findLine(text, program_pattern, line) && text == mergeScriptText(sweep, line.groups[1]);
+  const auto program = findLine(text, readProgram);
+  return program && text == mergeScriptText(sweep, program->value);
 }
 
 std::string arrayRanges(const std::vector<std::size_t>& indices) {

@@ -73,8 +73,8 @@ SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::opt
   limits_ = slurmLimits();
   if (!options_.no_submit && !options_.dry_run) queued_ = queuedJobs(recordedJobs(folder_));
   if (!queued_.empty() && !options_.again)
-    throw InputError(folder_.string() + ": jobs of this sweep are queued, " + describe(queued_) +
-                     "; expected their end, or --again");
+    throw InputError(inFile(folder_), "jobs of this sweep are queued, " + describe(queued_) +
+                                          "; expected their end, or --again");
   std::error_code ignored;
   if (fs::exists(arrayScriptFile(folder_), ignored)) {
     array_text_ = readTextFile(arrayScriptFile(folder_));

@@ -48,8 +48,8 @@ class Timing : public PoolObserver {
   void progressed(std::size_t, const Progress& progress) override { progress_ = progress; }
   void finished(std::size_t, const RunStatus& status) override {
     const double wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (status.status == "ok") times_s_.push_back(wall_s);
-    if (status.status == "timeout" && progress_.step > 0)
+    if (status.end == RunEnd::ok) times_s_.push_back(wall_s);
+    if (status.end == RunEnd::timeout && progress_.step > 0)
       times_s_.push_back(wall_s * static_cast<double>(progress_.steps) / static_cast<double>(progress_.step));
     progress_ = {};
   }
@@ -83,7 +83,7 @@ std::optional<double> timeSome(const SweepPlan& plan, const std::vector<std::siz
     some.push_back({engineProgram(plan.precision(task)),
                     {"--order", order.string(), "--record", order.string() + ".record"},
                     timed_for_s,
-                    plan.manifest().settings.limits.memory_mb.value_or(0)});
+                    plan.manifest().settings.limits.memory_mib.value_or(0)});
   }
   Timing timing;
   WorkerPool(1, interrupt).run(some, timing);

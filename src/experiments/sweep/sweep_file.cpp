@@ -126,7 +126,7 @@ void describe(Io& io, SweepFit& fit) {
 template <class Io>
 void describe(Io& io, SweepLimits& limits) {
   io.field("time_s", limits.time_s);
-  io.field("memory_mb", limits.memory_mb);
+  io.field("memory_mb", limits.memory_mib);
 }
 
 template <class Io>
@@ -197,8 +197,8 @@ class SweepChecker {
     expect(sweep_.repeats >= 1, "repeats", "", sweep_.repeats, "at least 1");
     if (const auto& time_s = sweep_.limits.time_s)
       expect(*time_s > 0, "limits", "time_s", *time_s, "a number above 0");
-    if (const auto& memory_mb = sweep_.limits.memory_mb)
-      expect(*memory_mb > 0, "limits", "memory_mb", *memory_mb, "a number above 0");
+    if (const auto& memory_mib = sweep_.limits.memory_mib)
+      expect(*memory_mib > 0, "limits", "memory_mb", *memory_mib, "a number above 0");
     if (sweep_.fit) checkFit();
     if (!sweep_.curves) return;
     const double every_s = sweep_.curves->every_s;
@@ -265,7 +265,7 @@ class SweepChecker {
       const auto [same, is_new] = seen.try_emplace(
           joined([&](const SweepAxis& axis) { return plainValue((*axis.values)[i]); }), written);
       if (!is_new)
-        failAt({origin.source, group.axes.front().line},
+        failAt(inFile(origin.file, group.axes.front().line),
                "axis " + joined([](const SweepAxis& axis) { return axis.path; }) + ": " + written + " is " +
                    same->second + " again, expected each value once");
     }
@@ -323,8 +323,8 @@ std::string plainValue(const std::string& yaml) {
 SweepSettings loadSweep(const std::filesystem::path& file) {
   SweepSettings sweep;
   sweep.source = readTextFile(file);
-  const YamlNode root = parseYaml(sweep.source, {file.string(), 1});
-  if (root.kind == YamlNode::Kind::nothing) failAt({file.string(), 1}, "empty, expected a sweep");
+  const YamlNode root = parseYaml(sweep.source, inFile(file, 1));
+  if (root.kind == YamlNode::Kind::nothing) failAt(inFile(file, 1), "empty, expected a sweep");
   readValue(root, "", sweep);
   SweepChecker(root, sweep).check();
   const std::filesystem::path parent = file.parent_path();

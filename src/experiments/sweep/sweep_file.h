@@ -43,8 +43,8 @@ enum class SweepDesign { grid, random, latin_hypercube, sobol };
 
 /// What each simulation of a sweep may take.
 struct SweepLimits {
-  std::optional<double> time_s;     ///< wall clock; default: what the scenario's pipelines say
-  std::optional<double> memory_mb;  ///< of data a worker may hold, MiB
+  std::optional<double> time_s;      ///< wall clock; default: what the scenario's pipelines say
+  std::optional<double> memory_mib;  ///< of data a worker may hold; the files call it memory_mb
 };
 
 /// A measured curve that the runs' forces are held against.

@@ -32,7 +32,7 @@ void readSettings(const ordered_json& json, SweepSettings& settings) {
   settings.keep = static_cast<SweepKeep>(json.at("keep").get<int>());
   settings.repeats = json.at("repeats");
   take(json.at("limits"), "time_s", settings.limits.time_s);
-  take(json.at("limits"), "memory_mb", settings.limits.memory_mb);
+  take(json.at("limits"), "memory_mb", settings.limits.memory_mib);
   if (const ordered_json& fit = json.at("fit"); !fit.is_null()) {
     settings.fit.emplace();
     settings.fit->curve = fit.at("curve");
@@ -118,7 +118,7 @@ std::string manifestText(const SweepManifest& manifest) {
       {"fit", fit},
       {"measured", manifest.measured},
       {"limits",
-       {{"time_s", orNull(settings.limits.time_s)}, {"memory_mb", orNull(settings.limits.memory_mb)}}},
+       {{"time_s", orNull(settings.limits.time_s)}, {"memory_mb", orNull(settings.limits.memory_mib)}}},
       {"directory", manifest.directory},
       {"inputs", manifest.inputs},
       {"axis_inputs", manifest.axis_inputs},
@@ -136,17 +136,18 @@ SweepManifest readManifest(const std::filesystem::path& folder) {
   const std::filesystem::path file = manifestFile(folder);
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored))
-    throw InputError(folder.string() + ": holds no sweep (manifest.json is missing), expected its folder");
+    throw InputError(inFile(folder), "holds no sweep (manifest.json is missing), expected its folder");
   try {
     const ordered_json json = ordered_json::parse(readTextFile(file));
     if (json.at("format") != format_name) throw std::out_of_range("another format");
     if (json.at("format_version") > format_version)
-      throw InputError(file.string() + ": of a newer fissure, expected format_version 1");
+      throw InputError(inFile(file), "of a newer fissure, expected format_version 1");
     return fromJson(json);
   } catch (const InputError&) {
     throw;
   } catch (const std::exception& error) {  // of the parser: syntax, types, what is missing
-    throw DamagedManifest(file.string() + ": damaged (" + error.what() + "), expected the plan of a sweep");
+    throw DamagedManifest(inFile(file),
+                          std::string("damaged (") + error.what() + "), expected the plan of a sweep");
   }
 }
 

@@ -158,9 +158,9 @@ std::filesystem::path csvFile(const std::filesystem::path& folder) {
   return folder / "sweep.csv";
 }
 
-std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state) {
-  std::map<std::string, std::size_t> counts;
-  for (std::size_t i = 0; i < plan.runs(); ++i) ++counts[state.task(plan.run(i).task).status.status];
+std::map<RunEnd, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state) {
+  std::map<RunEnd, std::size_t> counts;
+  for (std::size_t i = 0; i < plan.runs(); ++i) ++counts[state.task(plan.run(i).task).status.end];
   return counts;
 }
 
@@ -184,7 +184,7 @@ void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std:
     SweepRun run{static_cast<long long>(planned.point),
                  planned.repeat,
                  manifest.pipelines[planned.entry],
-                 task.status.status,
+                 task.status.end,
                  task.status.detail,
                  task.file,
                  {},

@@ -14,8 +14,8 @@ namespace fissure {
 std::filesystem::path tableFile(const std::filesystem::path& folder);
 std::filesystem::path csvFile(const std::filesystem::path& folder);
 
-/// Runs of a sweep by their status; "missing": no record.
-std::map<std::string, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state);
+/// How many runs of a sweep ended in which way.
+std::map<RunEnd, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state);
 
 /// Writes the sweep's table, all rows, and its CSV; rows without numbers say why in status and status_detail.
 /// The same records give the same data whatever journals they are in. Each file takes its place whole or not

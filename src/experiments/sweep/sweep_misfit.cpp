@@ -13,9 +13,9 @@ MeasuredCurve onlyCurve(const SweepFit& fit, const std::filesystem::path& file) 
   std::vector<MeasuredCurve> curves =
       readCurves(file, fit.columns ? parseCurveColumns(*fit.columns) : std::vector<CurveColumn>());
   if (curves.size() > 1)
-    throw InputError(file.string() + ": has " + std::to_string(curves.size()) + " curves (" + curves[0].name +
-                     ", " + curves[1].name + (curves.size() > 2 ? ", ..." : "") +
-                     "), expected one to hold the runs against");
+    throw InputError(inFile(file), "has " + std::to_string(curves.size()) + " curves (" + curves[0].name +
+                                       ", " + curves[1].name + (curves.size() > 2 ? ", ..." : "") +
+                                       "), expected one to hold the runs against");
   return std::move(curves.front());
 }
 
@@ -29,8 +29,8 @@ SweepMisfit::SweepMisfit(const SweepFit& fit, const std::vector<std::string>& la
   if (fit.law) law_ = static_cast<std::size_t>(std::find(laws.begin(), laws.end(), *fit.law) - laws.begin());
   const bool by_time = match_ == MatchBy::time;
   if ((by_time ? curve_.time_s : curve_.depth_m).empty())
-    throw InputError(file.string() + ": has no column of " + (by_time ? "times" : "depths") +
-                     ", expected one to match runs by");
+    throw InputError(inFile(file), std::string("has no column of ") + (by_time ? "times" : "depths") +
+                                       ", expected one to match runs by");
 }
 
 Misfit SweepMisfit::of(const std::vector<double>& time_s, std::span<const double> force_N,

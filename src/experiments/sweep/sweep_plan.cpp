@@ -109,7 +109,7 @@ void SweepPlan::makeTasks() {
 /// What all tasks of an entry depend on: the scenario without what moves nothing and without other entries,
 /// the files it names, the worker's way of keeping things.
 std::string SweepPlan::commonText(std::size_t entry) const {
-  YamlNode root = parseYaml(manifest_.scenario, {manifest_.settings.name, 1});
+  YamlNode root = parseYaml(manifest_.scenario, inFile(manifest_.settings.name, 1));
   std::erase_if(root.children,
                 [](const YamlNode& child) { return child.key == "expect" || child.key == "description"; });
   if (YamlNode* entries = root.find("pipelines"))
@@ -213,8 +213,7 @@ std::vector<ForceSettings> SweepPlan::lawsAt(std::size_t point) const {
     if (!axes_[a].law) continue;
     const std::string& text = manifest_.points.value(point, a);
     const std::optional<double> number = toReal(text);
-    if (!number)
-      throw InputError("axis " + manifest_.points.paths()[a] + ": " + text + ", expected a number");
+    if (!number) throw InputError(ofAxis(manifest_.points.paths()[a]), text + ", expected a number");
     ForceSettings& law = laws[axes_[a].law_index];
     law.coefficients.*entryOf(law.model).find(axes_[a].coefficient)->member = *number;
   }

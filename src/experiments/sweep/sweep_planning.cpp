@@ -32,7 +32,7 @@ constexpr std::size_t most_checks = 1000;
 
 std::string hashOf(const fs::path& file) {
   const std::optional<std::string> hash = fileHash(file);
-  if (!hash) throw InputError(file.string() + ": cannot be read");
+  if (!hash) throw InputError(inFile(file), "cannot be read");
   return *hash;
 }
 
@@ -49,8 +49,8 @@ std::string nameFrom(const fs::path& directory, const fs::path& file) {
 /// Paths stand in the plan and in what workers are told, as text.
 void requireText(const fs::path& path) {
   if (firstLineNotText(path.string()) != 0)
-    throw InputError(printableLine(path.string()) +
-                     ": its path is not UTF-8, expected folders whose names are");
+    throw InputError(inFile(printableLine(path.string())),
+                     "its path is not UTF-8, expected folders whose names are");
 }
 
 std::string countText(double count) {
@@ -128,7 +128,7 @@ class Planner {
     refuseTooMany(file_, runs, allow_many);
     manifest_.points = SweepPoints(manifest_.settings);
     if (manifest_.points.size() == 0)
-      throw InputError(file_.string() + ": exclude leaves no point, expected some");
+      throw InputError(inFile(file_), "exclude leaves no point, expected some");
     checkAxes();
     addCurves(checked);
     addEngines();
@@ -164,14 +164,13 @@ class Planner {
     const fs::path curve = (manifest_.settings.directory / fit->curve).lexically_normal();
     manifest_.measured = readTextFile(curve);
     if (const int line = firstLineNotText(manifest_.measured))
-      throw InputError(curve.string() + ":" + std::to_string(line) +
-                       ": binary data or not UTF-8, expected UTF-8 text");
+      throw InputError(inFile(curve, line), "binary data or not UTF-8, expected UTF-8 text");
     const std::vector<ForceSettings>& laws = base_.scenario.force;
     std::vector<std::string> names;
     for (const ForceSettings& law : laws) names.push_back(law.name);
     if (fit->law && std::find(names.begin(), names.end(), *fit->law) == names.end())
-      throw InputError(file_.string() + ": fit.law: no force law \"" + *fit->law + "\"" +
-                       didYouMean(*fit->law, names));
+      throw InputError(inFile(file_),
+                       "fit.law: no force law \"" + *fit->law + "\"" + didYouMean(*fit->law, names));
     SweepMisfit(*fit, names, curve);
   }
 
@@ -184,28 +183,28 @@ class Planner {
       try {
         checkPoint(loadScenario(base_file_, overrides));
       } catch (const InputError& error) {
-        fail(aboutAxes(error.what()), overrides);
+        fail(error, overrides);
       }
     }
     if (curves_until_s_ && !manifest_.settings.curves->until_s)
       manifest_.settings.curves->until_s = curves_until_s_;
   }
 
-  /// With the line of the axis that is named, else with the values of the point.
-  [[noreturn]] void fail(const std::string& message, const std::vector<Override>& overrides) const {
+  /// Refuses a point: with the line of the axis that is to blame, else with all its values.
+  [[noreturn]] void fail(const InputError& error, const std::vector<Override>& overrides) const {
     for (const AxisGroup& group : manifest_.settings.axes)
       for (const SweepAxis& axis : group.axes)
-        if (message.find("axis " + axis.path + ":") != std::string::npos)
-          throw InputError(file_.string() + ":" + std::to_string(axis.line) + ": " + message);
+        if (error.origin().kind == Origin::Kind::override && error.origin().path == axis.path)
+          throw InputError(ofAxis(axis.path, file_.string(), axis.line), error.text());
     std::string values;
     for (const Override& override : overrides)
       values += (values.empty() ? "" : ", ") + override.path + "=" + override.value;
-    throw InputError(file_.string() + ": with " + values + ": " + message);
+    throw InputError(inFile(file_), "with " + values + ": " + error.what());
   }
 
   /// A place of the scenario in one way of writing: items of lists by their number.
   std::vector<std::string> placeOf(const std::string& path) const {
-    YamlNode root = parseYaml(base_.composed, {base_file_.string(), 1});
+    YamlNode root = parseYaml(base_.composed, inFile(base_file_, 1));
     const YamlNode* node = &root;
     std::vector<std::string> place;
     for (const std::string& part : splitPath(path)) {
@@ -229,8 +228,7 @@ class Planner {
     for (const AxisGroup& group : manifest_.settings.axes) {
       for (const SweepAxis& axis : group.axes) {
         const auto refuse = [&](const std::string& what) {
-          throw InputError(file_.string() + ":" + std::to_string(axis.line) + ": axis " + axis.path + ": " +
-                           what);
+          throw InputError(ofAxis(axis.path, file_.string(), axis.line), what);
         };
         const std::vector<std::string> place = placeOf(axis.path);
         const std::string& first = place.front();
@@ -329,10 +327,10 @@ void putManifest(const SweepManifest& manifest, const fs::path& folder) {
   if (fs::exists(manifestFile(folder), error)) {
     const std::string name = nameIn(folder, manifest.settings.name);
     if (name != manifest.settings.name)
-      throw InputError(folder.string() + ": holds the sweep \"" + name +
-                       "\", expected another folder for \"" + manifest.settings.name + "\"");
+      throw InputError(inFile(folder), "holds the sweep \"" + name + "\", expected another folder for \"" +
+                                           manifest.settings.name + "\"");
   } else if (!isFree(folder)) {
-    throw InputError(folder.string() + ": is no folder of a sweep, expected a new name or an empty folder");
+    throw InputError(inFile(folder), "is no folder of a sweep, expected a new name or an empty folder");
   }
   const JournalWriter place(journalFolder(folder));  // for its folder alone
   const fs::path made = manifestFile(place.work());
@@ -349,8 +347,8 @@ void putManifest(const SweepManifest& manifest, const fs::path& folder) {
 
 void refuseOtherPlan(const SweepManifest& manifest, const fs::path& folder) {
   const auto refuse = [&](const std::string& what) {
-    throw InputError(folder.string() + ": was planned with another " + what +
-                     ", expected its sweep file to plan it again");
+    throw InputError(inFile(folder),
+                     "was planned with another " + what + ", expected its sweep file to plan it again");
   };
   requireText(wholePath(folder / manifest.directory));
   for (const auto& [precision, hash] : manifest.engines) {

@@ -102,7 +102,7 @@ WorkerTask SweepSession::workerTask(std::size_t task) const {
   WorkerTask worker{engineProgram(plan_.precision(of)),
                     {"--order", order.string(), "--record", work(task, ".record").string()},
                     limits.time_s.value_or(plan_.entry(of.entry).time_limit_s),
-                    limits.memory_mb.value_or(0)};
+                    limits.memory_mib.value_or(0)};
   if (plan_.manifest().settings.keep == SweepKeep::results) {
     worker.arguments.emplace_back("--part");
     worker.arguments.push_back(work(task, ".part").string());
@@ -121,11 +121,11 @@ void SweepSession::progressed(std::size_t task, const Progress& progress) {
 TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) const {
   TaskRecord record;
   record.status = status;
-  if (status.status == "ok") {
+  if (status.end == RunEnd::ok) {
     try {
       record = decodeRecord(bytesOf(work(task, ".record")));
     } catch (const RunError& error) {
-      record.status = {"failed", error.what()};
+      record.status = {RunEnd::failed, error.what()};
     }
     if (record.finished() && plan_.manifest().settings.keep == SweepKeep::results) keepResult(task, record);
   }
@@ -138,10 +138,10 @@ TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) con
     record.timing["timing/worker_wall_s"] =
         std::chrono::duration<double>(Clock::now() - running->second.start).count();
   std::string& detail = record.status.detail;
-  const auto& memory_mb = plan_.manifest().settings.limits.memory_mb;
-  if (memory_mb && (status.status == "crashed" || status.status == "failed"))
+  const auto& memory_mib = plan_.manifest().settings.limits.memory_mib;
+  if (memory_mib && (status.end == RunEnd::crashed || status.end == RunEnd::failed))
     detail += (detail.empty() ? "" : "; ") + std::string("its memory is limited to ") +
-              formatReal(*memory_mb) + " MiB";
+              formatReal(*memory_mib) + " MiB";
   for (const std::string& folder :
        {(fs::absolute(journal_.work()) / "").string(), (fs::absolute(plan_.directory()) / "").string()})
     for (std::size_t at = 0; (at = detail.find(folder, at)) != std::string::npos;)
@@ -190,18 +190,18 @@ void SweepSession::refuseChangedInputs() const {
 }
 
 void SweepSession::finished(std::size_t task, const RunStatus& status) {
-  if (status.status == "interrupted") {
+  if (status.end == RunEnd::interrupted) {
     ++counts_.interrupted;
   } else {
     refuseChangedInputs();
     const TaskRecord record = recordOf(task, status);
     journal_.append(encodeRecord(record));
     journal_.sync(sync_every_s);
-    const bool ok = record.status.status == "ok";
+    const bool ok = record.status.end == RunEnd::ok;
     ++(ok ? counts_.ok : counts_.failed);
     if (record.finished() || task < settings_.untried) ++counts_.advanced;
     if (!ok && first_failure_.empty())
-      first_failure_ = record.task + ": " + record.status.status +
+      first_failure_ = record.task + ": " + nameOf(record.status.end) +
                        (record.status.detail.empty() ? "" : " (" + record.status.detail + ")");
   }
   running_.erase(task);

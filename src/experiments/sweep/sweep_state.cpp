@@ -17,13 +17,25 @@ std::filesystem::path resultFolder(const std::filesystem::path& folder) {
   return folder / "runs";
 }
 
+namespace {
+
+TaskRecord recordIn(const std::string& bytes, const std::filesystem::path& journal) {
+  try {
+    return decodeRecord(bytes);
+  } catch (const RunError& error) {
+    throw RunError(journal.string() + ": " + error.what());
+  }
+}
+
+}  // namespace
+
 SweepState::SweepState(const SweepPlan& plan, const std::filesystem::path& folder)
     : plan_(plan), journals_(journalFolder(folder)), tasks_(plan.tasks().size()) {
-  for (Task& task : tasks_) task.status = {"missing", ""};
+  for (Task& task : tasks_) task.status = {RunEnd::missing, ""};
   std::unordered_map<std::string, std::size_t> known;
   for (std::size_t i = 0; i < plan.tasks().size(); ++i) known.emplace(plan.tasks()[i].id, i);
   journals_.each([&](const std::string& bytes, const JournalPlace& place) {
-    const TaskRecord record = decodeRecord(bytes);
+    const TaskRecord record = recordIn(bytes, journals_.files()[place.journal]);
     const auto at = known.find(record.task);
     if (at == known.end())
       ++unplanned_records_;
@@ -35,7 +47,8 @@ SweepState::SweepState(const SweepPlan& plan, const std::filesystem::path& folde
 
 void SweepState::take(std::size_t index, const TaskRecord& record, const JournalPlace& place) {
   Task& task = tasks_[index];
-  const std::string hash = record.finished() ? fnv1a64(record.status.status + "\n" + record.numbers) : "";
+  const std::string hash =
+      record.finished() ? fnv1a64(nameOf(record.status.end) + "\n" + record.numbers) : "";
   if (task.finished && record.finished() && task.numbers_hash != hash)
     throw RunError(journals_.files()[place.journal].string() + ": two runs of task " + record.task +
                    " gave different numbers (the other is in " +
@@ -94,7 +107,7 @@ std::vector<double> SweepState::numbers(std::size_t index, const Head& head, std
 
 void SweepState::forget(std::size_t index) {
   tasks_[index] = {};
-  tasks_[index].status = {"missing", ""};
+  tasks_[index].status = {RunEnd::missing, ""};
 }
 
 std::vector<std::size_t> SweepState::unfinished() const {

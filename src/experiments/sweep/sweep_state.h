@@ -26,7 +26,7 @@ class SweepState {
 
   struct Task {
     std::optional<JournalPlace> place;  ///< nothing: it has no record
-    RunStatus status;                   ///< "missing" without a record
+    RunStatus status;                   ///< `missing` without a record
     bool finished = false;
     double wall_s = 0;  ///< of its worker, where that is known
     std::string numbers_hash;

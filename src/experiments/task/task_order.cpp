@@ -30,11 +30,9 @@ std::vector<std::vector<ForceSettings>> readLaws(const json& numbers, std::size_
 
 }  // namespace
 
-std::string aboutAxes(std::string message) {
-  constexpr std::string_view set = "--set ";
-  for (std::size_t at = 0; (at = message.find(set, at)) != std::string::npos;)
-    message.replace(at, set.size(), "axis ");
-  return message;
+InputError aboutAxis(const InputError& error) {
+  if (error.origin().kind != Origin::Kind::override) return error;
+  return {ofAxis(error.origin().path), error.text()};
 }
 
 std::string orderText(const TaskOrder& order) {

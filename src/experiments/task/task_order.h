@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.h"
 #include "scenario/load.h"
 #include "task/curves.h"
 
@@ -23,8 +24,8 @@ struct TaskOrder {
   std::optional<SweepCurves> curves;
 };
 
-/// What is said about an override, about the axis that it comes from: it is not on the command line.
-std::string aboutAxes(std::string message);
+/// An error about an override of an order is one about the axis of the sweep that it comes from; others stay.
+InputError aboutAxis(const InputError& error);
 
 /// The order as text, for a file.
 std::string orderText(const TaskOrder& order);

@@ -44,6 +44,8 @@ auto readHead(const std::string& bytes, const Read& read) {
     return read(json::from_cbor(bytes.substr(length_digits, length)), length_digits + length);
   } catch (const json::exception& error) {
     throw RunError(std::string("no record of a sweep: ") + error.what());
+  } catch (const InputError& error) {
+    throw RunError(std::string("no record of a sweep: ") + error.what());
   }
 }
 
@@ -81,7 +83,7 @@ TaskNumbers decodeNumbers(const std::string& bytes) {
 
 std::string encodeRecord(const TaskRecord& record) {
   return withHead({{"task", record.task},
-                   {"status", record.status.status},
+                   {"status", nameOf(record.status.end)},
                    {"detail", record.status.detail},
                    {"timing", record.timing},
                    {"file", record.file},
@@ -95,7 +97,8 @@ std::pair<TaskRecord, std::size_t> decodeRecordHead(const std::string& bytes) {
   return readHead(bytes, [](const json& from, std::size_t end) {
     TaskRecord record;
     record.task = from.at("task");
-    record.status = {from.at("status"), from.at("detail")};
+    record.status.end = runEndNamed(from.at("status"));
+    record.status.detail = from.at("detail");
     record.timing = from.at("timing").get<std::map<std::string, double>>();
     record.file = from.at("file");
     record.file_bytes = from.at("file_bytes");

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "base/record_sink.h"
+#include "base/run_status.h"
 
 namespace fissure {
 
@@ -33,7 +33,7 @@ struct TaskRecord {
       0;  ///< when it was written, seconds since 1970: of two failures the later one counts
 
   /// Whether the simulation came to its end: the same task would give the same numbers again.
-  bool finished() const { return status.status == "ok" || status.status == "non_finite"; }
+  bool finished() const { return status.end == RunEnd::ok || status.end == RunEnd::non_finite; }
 };
 
 /// Where in the bytes of encodeNumbers() what lies.

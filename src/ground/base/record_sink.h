@@ -2,16 +2,10 @@
 
 #include "base/image.h"
 #include "base/record.h"
+#include "base/run_status.h"
 #include "base/state.h"
 
 namespace fissure {
-
-/// How a run ended. `ok` and `non_finite` are said by the worker, the others by the front that watched it,
-/// and `salvaged` where nobody was left to say it.
-struct RunStatus {
-  std::string status = "ok";  ///< ok | non_finite | timeout | crashed | interrupted | failed | salvaged
-  std::string detail;         ///< one line: when, where, which signal
-};
 
 /// Takes what a run produces, in order of time. The part file of a worker is one; tests use another.
 class RecordSink {

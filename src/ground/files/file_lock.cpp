@@ -30,10 +30,11 @@ bool isNamed(const Descriptor& file, const fs::path& path) {
 FileLock::FileLock(const fs::path& path, const fs::path& target) : path_(path) {
   do {
     locked_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
-    if (!locked_.open()) throw InputError(target.string() + ": cannot be written: " + std::strerror(errno));
+    if (!locked_.open())
+      throw InputError(inFile(target), std::string("cannot be written: ") + std::strerror(errno));
     if (::flock(locked_.number(), LOCK_EX | LOCK_NB) != 0) {
-      if (errno == EWOULDBLOCK) throw InputError(target.string() + ": is being written by another run");
-      throw InputError(target.string() + ": cannot be locked: " + std::strerror(errno));
+      if (errno == EWOULDBLOCK) throw InputError(inFile(target), "is being written by another run");
+      throw InputError(inFile(target), std::string("cannot be locked: ") + std::strerror(errno));
     }
   } while (!isNamed(locked_, path));
 }

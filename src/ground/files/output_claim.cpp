@@ -9,7 +9,7 @@ namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
-  throw InputError(path.string() + ": " + reason);
+  throw InputError(inFile(path), reason);
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void refuseExisting(const fs::path& output, bool replace) {
 void refuseInput(const fs::path& input, const fs::path& output) {
   std::error_code missing;
   if (fs::equivalent(input, output, missing))
-    throw InputError(output.string() + ": is the result itself, expected another name");
+    throw InputError(inFile(output), "is the result itself, expected another name");
 }
 
 OutputClaim::OutputClaim(const fs::path& output, bool replace) {

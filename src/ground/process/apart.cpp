@@ -24,12 +24,37 @@ constexpr char done = 'd';
 constexpr char bad_input = 'i';
 constexpr char failed = 'f';
 
-/// What `work` threw: its kind, then the message.
+/// The fields of an error, each but the last ended by a NUL.
+std::string packed(const InputError& error) {
+  const Origin& origin = error.origin();
+  std::string text;
+  for (const std::string& field :
+       {std::to_string(static_cast<int>(origin.kind)), origin.file, std::to_string(origin.line), origin.path})
+    text += field + '\0';
+  return text + error.text();
+}
+
+InputError unpacked(const std::string& text) {
+  std::size_t at = 0;
+  const auto next = [&] {
+    const std::size_t from = at, end = text.find('\0', from);
+    at = end + 1;
+    return text.substr(from, end - from);
+  };
+  Origin origin;
+  origin.kind = static_cast<Origin::Kind>(std::stoi(next()));
+  origin.file = next();
+  origin.line = std::stoi(next());
+  origin.path = next();
+  return {origin, text.substr(at)};
+}
+
+/// What `work` threw: its kind, then what there is to say.
 std::string outcomeOf(const std::function<void()>& work) {
   try {
     work();
   } catch (const InputError& error) {
-    return bad_input + std::string(error.what());
+    return bad_input + packed(error);
   } catch (const std::exception& error) {
     return failed + std::string(error.what());
   }
@@ -80,7 +105,7 @@ void doApart(const std::function<void()>& work, unsigned long most_s) {
   while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
   }
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || outcome.empty()) throw LostApart(process);
-  if (outcome.front() == bad_input) throw InputError(outcome.substr(1));
+  if (outcome.front() == bad_input) throw unpacked(outcome.substr(1));
   if (outcome.front() == failed) throw RunError(outcome.substr(1));
 }
 
@@ -96,7 +121,7 @@ void tryReading(const std::filesystem::path& file, const std::function<void()>& 
   try {
     doApart(read, patience_s(file));
   } catch (const RunError& error) {
-    throw InputError(file.string() + ": a damaged file (" + error.what() + ")");
+    throw InputError(inFile(file), std::string("a damaged file (") + error.what() + ")");
   }
 }
 

@@ -22,7 +22,8 @@ class LostApart : public RunError {
 
 /// Does `work` in a process of its own, which dies with this one and leaves nothing behind but the files it
 /// has written: HDF5 1.10 and Assimp may crash on damaged files, or loop for ever. Throws what `work` throws,
-/// as InputError or RunError, and LostApart when it crashed or took more than `most_s` of processor time.
+/// as InputError (with its fields) or RunError, and LostApart when it crashed or took more than `most_s` of
+/// processor time.
 void doApart(const std::function<void()>& work, unsigned long most_s);
 
 /// Processor time, in seconds, in which a whole `file` is read or copied by far: 3 and one a megabyte, where

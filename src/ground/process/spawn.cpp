@@ -74,7 +74,7 @@ SpawnedProcess spawn(const WorkerTask& task) {
   const pid_t process = ::fork();
   if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
   if (process == 0) {
-    const auto bytes = static_cast<rlim_t>(task.memory_limit_mb * 1048576);
+    const auto bytes = static_cast<rlim_t>(task.memory_limit_mib * 1048576);
     becomeWorker(parent, input, output, errors, {bytes, bytes}, arguments.data());
     const int reason = errno;
     const ssize_t written = ::write(failure.writing.number(), &reason, sizeof reason);

@@ -93,12 +93,12 @@ double Worker::timeLeft_s() const {
 RunStatus Worker::statusOf(int wait_status) const {
   const std::string line = last_error_.empty() ? "" : ": " + last_error_;
   if (WIFSIGNALED(wait_status))
-    return {"crashed",
+    return {RunEnd::crashed,
             "killed by signal " + signalName(WTERMSIG(wait_status)) + " " + describe(progress_) + line};
   const int code = WEXITSTATUS(wait_status);
-  if (code == 0) return {"ok", ""};
-  if (error_is_marked_) return {"failed", last_error_};
-  return {"failed", "exit code " + std::to_string(code) + " " + describe(progress_) + line};
+  if (code == 0) return {RunEnd::ok, ""};
+  if (error_is_marked_) return {RunEnd::failed, last_error_};
+  return {RunEnd::failed, "exit code " + std::to_string(code) + " " + describe(progress_) + line};
 }
 
 std::optional<RunStatus> Worker::poll() {
@@ -112,16 +112,16 @@ std::optional<RunStatus> Worker::poll() {
   if (timeLeft_s() > 0) return std::nullopt;
   std::ostringstream reason;
   reason << "time limit of " << time_limit_s_ << " s reached";
-  return stop("timeout", reason.str());
+  return stop(RunEnd::timeout, reason.str());
 }
 
-RunStatus Worker::stop(const std::string& status, const std::string& reason) {
+RunStatus Worker::stop(RunEnd end, const std::string& reason) {
   ::kill(process_, SIGKILL);
   while (::waitpid(process_, nullptr, 0) < 0 && errno == EINTR) {
   }
   process_ = -1;
   drain();
-  return {status, reason + " " + describe(progress_)};
+  return {end, reason + " " + describe(progress_)};
 }
 
 }  // namespace fissure

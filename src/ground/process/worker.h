@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "base/record_sink.h"
+#include "base/run_status.h"
 #include "files/descriptor.h"
 #include "process/line_splitter.h"
 #include "process/progress.h"
@@ -21,7 +21,7 @@ struct WorkerTask {
   std::filesystem::path program;
   std::vector<std::string> arguments;  ///< without the program's name; passed on as they are, no shell
   double time_limit_s = 3600;          ///< wall clock, from its start
-  double memory_limit_mb = 0;          ///< MiB of data it may hold (RLIMIT_DATA); 0: no limit
+  double memory_limit_mib = 0;         ///< of data that it may hold (RLIMIT_DATA); 0: no limit
   bool fed = false;  ///< reads what it is given (FedProcess); otherwise there is nothing to read
 };
 
@@ -47,8 +47,8 @@ class Worker {
   /// How it ended; no value while it runs. `ok` says exit code 0 and no more. Past its time limit it is
   /// killed here.
   std::optional<RunStatus> poll();
-  /// Kills it and waits for its end; returns {status, "<reason> after step N of M"}.
-  RunStatus stop(const std::string& status, const std::string& reason);
+  /// Kills it and waits for its end; returns {end, "<reason> after step N of M"}.
+  RunStatus stop(RunEnd end, const std::string& reason);
   /// Seconds until the time limit, 0 when it is past.
   double timeLeft_s() const;
 

@@ -34,7 +34,7 @@ void WorkerPool::startMore(std::size_t tasks, const std::function<WorkerTask(std
     try {
       running_.push_back({task, std::make_unique<Worker>(make(task)), {}});
     } catch (const RunError& error) {
-      observer.finished(task, {"failed", error.what()});
+      observer.finished(task, {RunEnd::failed, error.what()});
       continue;
     }
     observer.started(task);
@@ -83,9 +83,10 @@ void WorkerPool::stopAll(std::size_t tasks, PoolObserver& observer) {
   stopped.swap(running_);
   std::vector<RunStatus> statuses;
   statuses.reserve(stopped.size());
-  for (const Running& running : stopped) statuses.push_back(running.worker->stop("interrupted", "stopped"));
+  for (const Running& running : stopped)
+    statuses.push_back(running.worker->stop(RunEnd::interrupted, "stopped"));
   for (std::size_t i = 0; i < stopped.size(); ++i) observer.finished(stopped[i].task, statuses[i]);
-  for (; next_ < tasks; ++next_) observer.finished(next_, {"interrupted", "not started"});
+  for (; next_ < tasks; ++next_) observer.finished(next_, {RunEnd::interrupted, "not started"});
 }
 
 }  // namespace fissure

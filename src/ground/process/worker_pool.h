@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "base/record_sink.h"
+#include "base/run_status.h"
 #include "process/interrupt.h"
 #include "process/worker.h"
 
@@ -18,7 +18,7 @@ class PoolObserver {
   virtual ~PoolObserver() = default;
   virtual void started(std::size_t task) = 0;
   virtual void progressed(std::size_t task, const Progress& progress) = 0;
-  /// Called exactly once for every task, also for one that never started (then "failed" or "interrupted").
+  /// Called exactly once for every task, also for one that never started (then `failed` or `interrupted`).
   virtual void finished(std::size_t task, const RunStatus& status) = 0;
   /// Called whenever the pool woke up, at least about ten times a second: to refresh a display.
   virtual void woke() = 0;
@@ -39,7 +39,7 @@ class WorkerPool {
     run(
         tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
   }
-  /// The same of tasks that are made when their turn comes; a RunError then is that task's end ("failed").
+  /// The same of tasks that are made when their turn comes; a RunError then is that task's end (`failed`).
   void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make,
            PoolObserver& observer);
 

@@ -29,20 +29,21 @@ std::string missingColumn(const std::string& name, const std::vector<std::string
 DelimitedText::DelimitedText(const std::filesystem::path& file, const LogFiles& files)
     : file_(file.string()), text_(files.text(file)) {
   std::string_view header;
-  if (!takeLine(header)) throw InputError(file_ + ": is empty, expected a header line of column names");
+  if (!takeLine(header)) throw InputError(inFile(file_), "is empty, expected a header line of column names");
   header_line_ = line_;
   delimiter_ = findDelimiter(header);
   splitCells(header, delimiter_, cells_);
   for (const std::string_view name : cells_) names_.emplace_back(name);
   while (!names_.empty() && names_.back().empty()) names_.pop_back();  // a trailing delimiter
-  if (names_.empty()) throw InputError(file_, line_, "an empty line, expected a header line of column names");
+  if (names_.empty())
+    throw InputError(inFile(file_, line_), "an empty line, expected a header line of column names");
 }
 
 std::size_t DelimitedText::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) throw InputError(file_, header_line_, missingColumn(name, names_));
+  if (found == names_.end()) throw InputError(inFile(file_, header_line_), missingColumn(name, names_));
   if (std::find(found + 1, names_.end(), name) != names_.end())
-    throw InputError(file_, header_line_, "two columns are called \"" + name + "\", expected one");
+    throw InputError(inFile(file_, header_line_), "two columns are called \"" + name + "\", expected one");
   return static_cast<std::size_t>(found - names_.begin());
 }
 
@@ -56,9 +57,8 @@ bool DelimitedText::next() {
   splitCells(line, delimiter_, cells_);
   const auto extra = cells_.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), cells_.size()));
   if (std::any_of(extra, cells_.end(), [](std::string_view cell) { return !cell.empty(); }))
-    throw InputError(file_, line_,
-                     std::to_string(cells_.size()) + " cells, expected the " + std::to_string(names_.size()) +
-                         " of the header");
+    throw InputError(inFile(file_, line_), std::to_string(cells_.size()) + " cells, expected the " +
+                                               std::to_string(names_.size()) + " of the header");
   return true;
 }
 

@@ -17,15 +17,15 @@ constexpr std::string_view blanks = " \t";
 std::string readAll(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
-    throw InputError(file.string() + ": no such file, expected a text file of numbers");
+    throw InputError(inFile(file), "no such file, expected a text file of numbers");
   if (std::filesystem::is_directory(file, error))
-    throw InputError(file.string() + ": is a folder, expected a text file of numbers");
+    throw InputError(inFile(file), "is a folder, expected a text file of numbers");
   std::ifstream in(file, std::ios::binary);
   std::string text;
   std::vector<char> block(1 << 20);
   while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
     text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  if (!in.eof()) throw InputError(file.string() + ": cannot be read");
+  if (!in.eof()) throw InputError(inFile(file), "cannot be read");
   return text;
 }
 
@@ -40,7 +40,7 @@ std::string_view trim(std::string_view cell) {
 std::string readLogText(const std::filesystem::path& file) {
   std::string text = readAll(file);
   if (text.find('\0') != std::string::npos)
-    throw InputError(file.string() + ": is binary (it holds NUL bytes), expected plain text, UTF-8 or ASCII");
+    throw InputError(inFile(file), "is binary (it holds NUL bytes), expected plain text, UTF-8 or ASCII");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);
   return text;
 }
@@ -99,7 +99,7 @@ double logNumber(std::string_view cell, const std::string& file, int line, const
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size())
-    throw InputError(file, line,
+    throw InputError(inFile(file, line),
                      "\"" + logExcerpt(cell) + "\" in " + in + ", expected a number like -0.0125 or nothing");
   return value;
 }

@@ -37,25 +37,24 @@ std::size_t sequenceLength(const std::string& text, std::size_t i) {
 std::string readTextFile(const std::filesystem::path& file) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
-    throw InputError(file.string() + ": is a folder, expected a file");
+    throw InputError(inFile(file), "is a folder, expected a file");
   }
   if (std::filesystem::exists(file, ignored) && !std::filesystem::is_regular_file(file, ignored)) {
-    throw InputError(file.string() + ": is no regular file, expected a text file");
+    throw InputError(inFile(file), "is no regular file, expected a text file");
   }
   std::ifstream in(file, std::ios::binary);
   if (!in) {
     const bool exists = std::filesystem::exists(file, ignored);
-    throw InputError(file.string() + (exists ? ": cannot be read" : ": no such file") +
-                     ", expected a text file");
+    throw InputError(inFile(file),
+                     std::string(exists ? "cannot be read" : "no such file") + ", expected a text file");
   }
   std::string text;
   char block[65536];
   while (in.read(block, sizeof block) || in.gcount() > 0) {
     text.append(block, static_cast<std::size_t>(in.gcount()));
-    if (text.size() > max_bytes)
-      throw InputError(file.string() + ": larger than 64 MiB, expected a text file");
+    if (text.size() > max_bytes) throw InputError(inFile(file), "larger than 64 MiB, expected a text file");
   }
-  if (in.bad()) throw InputError(file.string() + ": cannot be read, expected a text file");
+  if (in.bad()) throw InputError(inFile(file), "cannot be read, expected a text file");
   return text;
 }
 

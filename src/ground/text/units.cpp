@@ -1,8 +1,8 @@
 #include "text/units.h"
 
 #include <array>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace fissure {
 
@@ -15,18 +15,19 @@ struct Prefix {
 constexpr std::array<Prefix, 6> prefixes = {
     {{1e3, "k"}, {1, ""}, {1e-3, "m"}, {1e-6, "u"}, {1e-9, "n"}, {1e-12, "p"}}};
 
-std::string fourDigits(double value) {
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
-
 bool takesPrefix(const std::string& unit) {
   return unit == "m" || unit == "N" || unit == "s" || unit == "J" || unit == "Hz" || unit == "N s" ||
          unit == "m s-1";
 }
 
 }  // namespace
+
+std::string fourDigits(double value) {
+  std::array<char, 32> text = {};
+  const auto [end, error] =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4);
+  return {text.data(), end};
+}
 
 std::string withUnit(double value, const std::string& unit) {
   const std::string shown = unit == "1" || unit.empty() ? "" : " " + unit;

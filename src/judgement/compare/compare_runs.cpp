@@ -283,9 +283,10 @@ bool agree(const QuantityComparison& made, bool exact) {
 void compareStates(const RunOfFile& a, const RunOfFile& b, std::vector<std::string>& problems) {
   const RunStatus& of_a = a.run->status;
   const RunStatus& of_b = b.run->status;
-  if (of_a.status != of_b.status || of_a.detail != of_b.detail)
-    problems.push_back("status " + of_a.status + (of_a.detail.empty() ? "" : " (" + of_a.detail + ")") +
-                       " against " + of_b.status + (of_b.detail.empty() ? "" : " (" + of_b.detail + ")"));
+  if (of_a.end != of_b.end || of_a.detail != of_b.detail)
+    problems.push_back("status " + nameOf(of_a.end) + (of_a.detail.empty() ? "" : " (" + of_a.detail + ")") +
+                       " against " + nameOf(of_b.end) +
+                       (of_b.detail.empty() ? "" : " (" + of_b.detail + ")"));
   if (a.run->name == b.run->name && a.run->pipeline != b.run->pipeline)
     problems.push_back("pipeline " + a.run->pipeline + " against " + b.run->pipeline);
   if (a.run->name == b.run->name && a.run->precision != b.run->precision)

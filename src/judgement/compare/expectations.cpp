@@ -33,8 +33,8 @@ bool holds(const Expectation& expected, double found) {
 
 CheckedExpectation check(const Expectation& expected, const PipelineResult& run) {
   CheckedExpectation checked{run.name, expected.quantity, "", expectedText(expected), false};
-  if (run.status.status != "ok") {
-    checked.found = "unknown, the run is " + run.status.status;
+  if (run.status.end != RunEnd::ok) {
+    checked.found = "unknown, the run is " + nameOf(run.status.end);
     return checked;
   }
   std::vector<std::string> names;

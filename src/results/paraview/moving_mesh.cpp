@@ -12,7 +12,7 @@ namespace {
 const StoredQuantity& need(const RunReader& run, const std::string& name) {
   const StoredQuantity* quantity = run.find(name);
   if (!quantity)
-    throw InputError(run.file().string() + ": a run has snapshots but no " + name + ", expected both");
+    throw InputError(inFile(run.file()), "a run has snapshots but no " + name + ", expected both");
   return *quantity;
 }
 

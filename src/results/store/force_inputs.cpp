@@ -9,8 +9,8 @@ namespace {
 
 const StoredQuantity& stored(const RunReader& run, const std::string& pipeline, const std::string& name) {
   if (const StoredQuantity* found = run.find("force_inputs/" + name)) return *found;
-  throw InputError(run.file().string() + ": run " + pipeline + " has no force_inputs/" + name +
-                   ", expected a run with record: {force_inputs: true}");
+  throw InputError(inFile(run.file()), "run " + pipeline + " has no force_inputs/" + name +
+                                           ", expected a run with record: {force_inputs: true}");
 }
 
 }  // namespace
@@ -35,8 +35,8 @@ ForceInputs readForceInputs(const std::filesystem::path& file, const std::string
     left -= read.row_sizes.back();
   }
   if (!fits || left > 0 || read.row_sizes.size() != read.times_s.size())
-    throw InputError(file.string() + ": the force_inputs of run " + pipeline +
-                     " are damaged: their lengths do not fit together");
+    throw InputError(inFile(file), "the force_inputs of run " + pipeline +
+                                       " are damaged: their lengths do not fit together");
   read.inputs.reserve(laws * count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 direction = Vec3::Map(&directions[3 * i]);

@@ -14,7 +14,7 @@ void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunSt
   h5::setAttribute(group, "pipeline", pipeline.pipeline);
   h5::setAttribute(group, "description", description);
   h5::setAttribute(group, "precision", pipeline.precision);
-  h5::setAttribute(group, "status", status.status);
+  h5::setAttribute(group, "status", nameOf(status.end));
   h5::setAttribute(group, "status_detail", status.detail);
 }
 

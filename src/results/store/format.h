@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "base/record_sink.h"
+#include "base/run_status.h"
 #include "hdf5/h5.h"
 #include "scenario/forces.h"
 #include "scenario/pipelines.h"
@@ -16,8 +16,6 @@ inline constexpr const char* result_format = "fissure-result";
 inline constexpr const char* part_format = "fissure-part";
 inline constexpr const char* sweep_format = "fissure-sweep";
 inline constexpr std::int32_t format_version = 1;
-/// The status of a run in its part until the worker finishes it.
-inline constexpr const char* incomplete_status = "incomplete";
 
 /// Attributes pipeline, description, precision, status and status_detail of a pipeline's group, in this
 /// order.

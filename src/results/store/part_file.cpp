@@ -97,7 +97,7 @@ PartFile::~PartFile() {
 void PartFile::makeDatasets(const PartHeader& header) {
   const h5::Id pipelines = h5::createGroup(file_, "pipelines");
   GroupBuilder group(pipelines, header.pipeline.name);
-  describePipeline(group.id(), header.pipeline, {incomplete_status, ""});
+  describePipeline(group.id(), header.pipeline, {RunEnd::incomplete, ""});
   series_.emplace(group, header.layout, rowsInChunk(header.expected_rows));
   const RecordSettings& record = header.scenario.record;
   if (record.force_inputs) {
@@ -208,7 +208,7 @@ void PartFile::writeSummary(const RunStatus& status, const Summary& summary) con
         h5::setAttribute(target, attribute, static_cast<std::int64_t>(*count));
       }
     }
-    h5::setAttribute(group, "status", status.status);
+    h5::setAttribute(group, "status", nameOf(status.end));
     h5::setAttribute(group, "status_detail", status.detail);
   }
   file.close();
@@ -219,7 +219,7 @@ void PartFile::verify(const RunStatus& status) const {
   const h5::Id file = h5::openToRead(path_);
   const h5::Id group = h5::openGroup(file, group_);
   const h5::Id time = h5::openDataset(group, "time");
-  if (h5::textAttribute(group, "status") != status.status || h5::shapeOf(time).front() != rows_) {
+  if (h5::textAttribute(group, "status") != nameOf(status.end) || h5::shapeOf(time).front() != rows_) {
     throw RunError("not all of it was written");
   }
 }

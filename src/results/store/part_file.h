@@ -27,7 +27,7 @@ struct PartHeader {
 /// Opens the part file of one run, replacing an older one: an HDF5 file with the group /pipelines/<name>
 /// alone, written block by block in SWMR mode, so that a killed worker leaves everything up to its last block
 /// readable. Rows, snapshots and frames go to datasets that exist only when the scenario asks for them. The
-/// status attribute is "incomplete" until finish(). The first failed write is remembered and thrown as
+/// status attribute is `incomplete` until finish(). The first failed write is remembered and thrown as
 /// RunError by the call that met it and by every later one, finish() included. Throws RunError when the file
 /// cannot be made, std::logic_error on a layout without time or with a name twice; append, snapshot and frame
 /// throw std::logic_error on data that do not fit.

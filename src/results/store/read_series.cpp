@@ -34,11 +34,11 @@ SeriesData readNumbers(hid_t file, const std::string& name) {
 
 SeriesData readSeries(const std::filesystem::path& file, const std::string& dataset) {
   if (std::error_code ignored; !std::filesystem::exists(file, ignored))
-    throw InputError(file.string() + ": no such file");
+    throw InputError(inFile(file), "no such file");
   try {
     return readNumbers(h5::openToRead(file), dataset);
   } catch (const RunError& error) {
-    throw InputError(file.string() + ": " + error.what());
+    throw InputError(inFile(file), error.what());
   }
 }
 

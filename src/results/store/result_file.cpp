@@ -73,8 +73,9 @@ void writePipeline(const h5::OutputFile& file, hid_t pipelines, const std::vecto
       return copyPart(file, pipelines, laws, result, workers);
     } catch (const RunError& error) {
       file.checkWritten();
-      if (salvaged) throw InputError(result.part->string() + ": a damaged part file (" + error.what() + ")");
-      if (status.status == "ok") status.status = "failed";
+      if (salvaged)
+        throw InputError(inFile(*result.part), std::string("a damaged part file (") + error.what() + ")");
+      if (status.end == RunEnd::ok) status.end = RunEnd::failed;
       status.detail +=
           (status.detail.empty() ? "" : "; ") + std::string("part file unreadable: ") + error.what();
     }

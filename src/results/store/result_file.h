@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/record.h"
-#include "base/record_sink.h"
+#include "base/run_status.h"
 #include "scenario/load.h"
 
 namespace fissure {
@@ -26,7 +26,7 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 /// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1.
 /// Written beside `path` under a temporary name, synced, then renamed, and the directory synced: under `path`
 /// stands either the whole file or what stood there before. Throws RunError (a full disk too); the temporary
-/// file is removed then. A run whose part is damaged has the status "failed"; whether HDF5 crashes on it is
+/// file is removed then. A run whose part is damaged has the status `failed`; whether HDF5 crashes on it is
 /// not known here.
 void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
                     const Provenance& provenance, const std::vector<PartResult>& parts);
@@ -68,7 +68,8 @@ struct ResultInfo {
 };
 
 /// Reads a result file (or a part). Throws InputError when it is missing, no HDF5 file, not a fissure result,
-/// damaged, or of a newer format_version.
+/// damaged (a run with an unknown status too), or of a newer
+/// format_version.
 ResultInfo readResultInfo(const std::filesystem::path& path);
 
 /// Versions of the HDF5 library in use at run time, for provenance.

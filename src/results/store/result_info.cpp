@@ -35,7 +35,8 @@ PipelineResult readPipeline(hid_t pipelines, const std::string& name) {
   result.pipeline = h5::textAttribute(group, "pipeline");
   result.description = h5::textAttribute(group, "description");
   result.precision = h5::textAttribute(group, "precision");
-  result.status = {h5::textAttribute(group, "status"), h5::textAttribute(group, "status_detail")};
+  result.status = {runEndNamed(h5::textAttribute(group, "status")),
+                   h5::textAttribute(group, "status_detail")};
   if (h5::exists(group, "summary")) addScalars(h5::openGroup(group, "summary"), "", result.summary);
   if (h5::exists(group, "timing")) addScalars(h5::openGroup(group, "timing"), "timing/", result.summary);
   return result;

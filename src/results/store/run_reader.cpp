@@ -93,7 +93,7 @@ RunReader::RunReader(const std::filesystem::path& file, const std::string& pipel
     opened_->group = h5::openGroup(opened_->file, "/pipelines/" + pipeline);
     listQuantities(opened_->group, "", quantities_);
   } catch (const RunError& error) {
-    throw InputError(file.string() + ": " + error.what());
+    throw InputError(inFile(file), error.what());
   }
 }
 
@@ -123,7 +123,7 @@ std::vector<double> RunReader::rows(const StoredQuantity& quantity, std::size_t 
   readBlock(dataset, quantity.name, start, size, H5T_NATIVE_DOUBLE, values.data());
   return row_axis < size.size() ? rowByRow(std::move(values), size, row_axis) : values;
 } catch (const RunError& error) {
-  throw InputError(path_.string() + ": " + error.what());
+  throw InputError(inFile(path_), error.what());
 }
 
 Image RunReader::picture(const StoredQuantity& pictures, std::size_t row) const try {
@@ -139,7 +139,7 @@ Image RunReader::picture(const StoredQuantity& pictures, std::size_t row) const 
   readBlock(dataset, pictures.name, {row, 0, 0, 0}, size, H5T_NATIVE_UCHAR, image.rgb.data());
   return image;
 } catch (const RunError& error) {
-  throw InputError(path_.string() + ": " + error.what());
+  throw InputError(inFile(path_), error.what());
 }
 
 }  // namespace fissure

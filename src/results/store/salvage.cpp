@@ -26,20 +26,21 @@ std::string reached(const std::vector<double>& times_s, long long expected_rows)
 PartContent inspectPart(const std::filesystem::path& path) {
   const ResultInfo info = readResultInfo(path);
   const std::string name = path.string();
-  if (info.format != part_format) throw InputError(name + ": a result, expected the part file of one run");
+  if (info.format != part_format)
+    throw InputError(inFile(name), "a result, expected the part file of one run");
   if (info.pipelines.size() != 1 || info.scenario_resolved.empty())
-    throw InputError(name + ": a part file without a run or its scenario, nothing can be salvaged");
+    throw InputError(inFile(name), "a part file without a run or its scenario, nothing can be salvaged");
   const PipelineResult& run = info.pipelines.front();
   PartContent content{run.name, info.scenario_resolved, run.status};
   try {
     const PartReader part(path, run.name);
     const std::vector<double> times_s = part.times_s();
-    if (run.status.status != incomplete_status) return content;
+    if (run.status.end != RunEnd::incomplete) return content;
     if (times_s.empty())
-      throw InputError(name + ": stopped before its first block was written, nothing to salvage");
-    content.status = {"salvaged", reached(times_s, part.expectedRows())};
+      throw InputError(inFile(name), "stopped before its first block was written, nothing to salvage");
+    content.status = {RunEnd::salvaged, reached(times_s, part.expectedRows())};
   } catch (const RunError& error) {
-    throw InputError(name + ": a damaged part file (" + error.what() + ")");
+    throw InputError(inFile(name), std::string("a damaged part file (") + error.what() + ")");
   }
   return content;
 }

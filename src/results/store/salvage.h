@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "base/record_sink.h"
+#include "base/run_status.h"
 
 namespace fissure {
 
@@ -11,7 +11,7 @@ namespace fissure {
 struct PartContent {
   std::string pipeline;  ///< name of the entry it is the run of
   std::string scenario_resolved;
-  RunStatus status;  ///< as the worker left it, or "salvaged" and up to which step the run is there
+  RunStatus status;  ///< as the worker left it, or `salvaged` and up to which step the run is there
 };
 
 /// Looks into the part of a run that may never have ended. What counts as there is what the last flush before

@@ -68,7 +68,7 @@ SnapshotReader::SnapshotReader(const std::filesystem::path& file, const std::str
     if (std::any_of(ascending.begin(), ascending.end(),
                     [](double time_s) { return !std::isfinite(time_s); }) ||
         !std::is_sorted(ascending.begin(), ascending.end()))
-      throw InputError(path_.string() + ": damaged: the times of a run do not ascend");
+      throw InputError(inFile(path_), "damaged: the times of a run do not ascend");
   readBodies();
   readTools();
   readHandles();
@@ -80,17 +80,16 @@ const StoredQuantity& SnapshotReader::need(const std::string& name, std::vector<
   const auto fits = [](const StoredAxis& axis, std::size_t length) {
     return length == any_length || axis.length == length;
   };
-  if (quantity == nullptr) throw InputError(path_.string() + ": damaged: there is no " + name);
+  if (quantity == nullptr) throw InputError(inFile(path_), "damaged: there is no " + name);
   if (!std::equal(quantity->axes.begin(), quantity->axes.end(), shape.begin(), shape.end(), fits))
-    throw InputError(path_.string() + ": damaged: " + name + " is not of the size that the others have");
+    throw InputError(inFile(path_), "damaged: " + name + " is not of the size that the others have");
   return *quantity;
 }
 
 std::vector<double> SnapshotReader::row(const std::string& name, std::size_t row,
                                         std::vector<std::size_t> shape) const {
   const StoredQuantity& quantity = need(name, std::move(shape));
-  if (row >= quantity.rows)
-    throw InputError(path_.string() + ": damaged: " + name + " ends before its times");
+  if (row >= quantity.rows) throw InputError(inFile(path_), "damaged: " + name + " ends before its times");
   return run_.rows(quantity, row, 1);
 }
 
@@ -98,7 +97,7 @@ std::vector<double> SnapshotReader::row(const std::string& name, std::size_t row
 std::size_t SnapshotReader::stepOf(std::size_t snapshot) const {
   const auto found = std::lower_bound(step_times_s_.begin(), step_times_s_.end(), times_s_[snapshot]);
   if (found == step_times_s_.end() || *found != times_s_[snapshot])
-    throw InputError(path_.string() + ": damaged: a snapshot is of no recorded step");
+    throw InputError(inFile(path_), "damaged: a snapshot is of no recorded step");
   return static_cast<std::size_t>(found - step_times_s_.begin());
 }
 
@@ -106,7 +105,7 @@ TriangleMesh SnapshotReader::readSurface(const std::string& group) const {
   const std::vector<double> vertices = run_.all(need(group + "/vertices", {any_length, 3}));
   const auto corners =
       indices(run_.all(need(group + "/faces", {any_length, 3})), 0, static_cast<double>(vertices.size()) / 3);
-  if (!corners) throw InputError(path_.string() + ": damaged: " + group + "/faces name no vertices");
+  if (!corners) throw InputError(inFile(path_), "damaged: " + group + "/faces name no vertices");
   return {vectorsOf(vertices), facesOf(*corners)};
 }
 
@@ -123,11 +122,11 @@ void SnapshotReader::readBodies() {
     const bool ascends = vertices[b] >= 0 && vertices[b] <= vertices[b + 1] &&
                          vertices[b + 1] <= vertices[count] && faces[b] >= 0 && faces[b] <= faces[b + 1] &&
                          faces[b + 1] <= faces[count];
-    if (!ascends) throw InputError(path_.string() + ": damaged: the bodies do not follow each other");
+    if (!ascends) throw InputError(inFile(path_), "damaged: the bodies do not follow each other");
     const auto own = indices({corners.begin() + 3 * static_cast<std::ptrdiff_t>(faces[b]),
                               corners.begin() + 3 * static_cast<std::ptrdiff_t>(faces[b + 1])},
                              vertices[b], vertices[b + 1]);
-    if (!own) throw InputError(path_.string() + ": damaged: faces name no vertices of their body");
+    if (!own) throw InputError(inFile(path_), "damaged: faces name no vertices of their body");
     SceneBody body;
     body.rest = {std::vector<Vec3>(static_cast<std::size_t>(vertices[b + 1] - vertices[b]), Vec3::Zero()),
                  facesOf(*own)};
@@ -156,8 +155,7 @@ void SnapshotReader::readHandles() {
     const StoredAxis& axis = need("clamp_position", {any_length, 3}).axes.front();
     const std::string clamp = name.substr(0, name.size() - ending.size());
     const auto found = std::find(axis.labels.begin(), axis.labels.end(), clamp);
-    if (found == axis.labels.end())
-      throw InputError(path_.string() + ": damaged: " + name + " is of no clamp");
+    if (found == axis.labels.end()) throw InputError(inFile(path_), "damaged: " + name + " is of no clamp");
     all_clamps_ = axis.length;
     clamps_.push_back(static_cast<std::size_t>(found - axis.labels.begin()));
     scene_.clamps.push_back({.name = clamp, .handle = readSurface("visuals/" + name)});
@@ -185,7 +183,7 @@ State SnapshotReader::at(std::size_t snapshot) const {
   if (scene_.nodeCount() > 0) {
     const auto states =
         indices(row("node_state", snapshot, {static_cast<std::size_t>(scene_.nodeCount())}), 0, 4);
-    if (!states) throw InputError(path_.string() + ": damaged: node_state holds no states of nodes");
+    if (!states) throw InputError(inFile(path_), "damaged: node_state holds no states of nodes");
     for (const int value : *states) state.contact.node_states.push_back(static_cast<NodeState>(value));
   }
   return state;

@@ -28,24 +28,23 @@ void checkFormat(hid_t file, const StoredFormat& format) {
 
 void readStoredFile(const std::filesystem::path& path, const StoredFormat& format,
                     const std::function<void(h5::Id file)>& read) {
-  const std::string name = path.string();
   std::error_code reason;  // a loop of links, a name that is too long
   const std::filesystem::file_status status = std::filesystem::status(path, reason);
-  if (status.type() == std::filesystem::file_type::not_found) throw InputError(name + ": no such file");
-  if (reason) throw InputError(name + ": " + reason.message());
+  if (status.type() == std::filesystem::file_type::not_found) throw InputError(inFile(path), "no such file");
+  if (reason) throw InputError(inFile(path), reason.message());
   if (!std::filesystem::is_regular_file(status))
-    throw InputError(name + ": not a file, expected " + format.what);
+    throw InputError(inFile(path), "not a file, expected " + format.what);
   try {
     h5::Id file = h5::openToRead(path);
     checkFormat(file, format);
     read(std::move(file));
   } catch (const InputError& error) {
-    throw InputError(name + ": " + error.what());
+    throw InputError(inFile(path), error.what());
   } catch (const RunError& error) {
     if (H5Fis_hdf5(path.c_str()) > 0) {
-      throw InputError(name + ": a damaged or truncated HDF5 file (" + error.what() + ")");
+      throw InputError(inFile(path), std::string("a damaged or truncated HDF5 file (") + error.what() + ")");
     }
-    throw InputError(name + ": not an HDF5 file, expected " + format.what + " (" + error.what() + ")");
+    throw InputError(inFile(path), "not an HDF5 file, expected " + format.what + " (" + error.what() + ")");
   }
 }
 

@@ -151,21 +151,32 @@ std::vector<double> SweepTable::numbers(const std::string& column, std::size_t f
     try {
   return readNumbers(opened_->file, column, first, count);
 } catch (const RunError& error) {
-  throw InputError(path_.string() + ": " + error.what());
+  throw InputError(inFile(path_), error.what());
 }
 
 std::vector<std::string> SweepTable::texts(const std::string& column, std::size_t first,
                                            std::size_t count) const try {
   return readTexts(opened_->file, column, first, count);
 } catch (const RunError& error) {
-  throw InputError(path_.string() + ": " + error.what());
+  throw InputError(inFile(path_), error.what());
+}
+
+std::vector<RunEnd> SweepTable::ends() const {
+  const std::vector<std::string> names = texts("status");
+  std::vector<RunEnd> ends;
+  try {
+    for (const std::string& name : names) ends.push_back(runEndNamed(name));
+  } catch (const InputError& error) {
+    throw InputError(inFile(path_), error.what());
+  }
+  return ends;
 }
 
 std::vector<double> SweepTable::curves(const CurveQuantity& curve, std::size_t first,
                                        std::size_t count) const {
   std::vector<double> values = numbers(curve.name, first, count);
   if (values.size() != count * layout_.width(curve))
-    throw InputError(path_.string() + ": " + curve.name + " has another shape than its axes");
+    throw InputError(inFile(path_), curve.name + " has another shape than its axes");
   return values;
 }
 

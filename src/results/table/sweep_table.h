@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/record.h"
+#include "base/run_status.h"
 #include "store/result_file.h"
 
 namespace fissure {
@@ -49,7 +50,7 @@ struct SweepRun {
   long long point = 0;
   long long repeat = 0;
   std::string pipeline;
-  std::string status;
+  RunEnd end = RunEnd::missing;
   std::string detail;
   std::string file;                 ///< of the result, from the sweep's folder on; "" where none is kept
   std::vector<std::string> values;  ///< YAML, one an axis
@@ -81,7 +82,9 @@ class SweepTable {
   /// The same of texts: "pipeline", "status", "status_detail", "file", an axis that is not numeric.
   std::vector<std::string> texts(const std::string& column, std::size_t first, std::size_t count) const;
   std::vector<std::string> texts(const std::string& column) const { return texts(column, 0, runs()); }
-  /// The same of a curve, layout().width() values a row.
+  /// How each run ended: the column "status". A name that RunEnd does not have is that of a damaged table.
+  std::vector<RunEnd> ends() const;
+  /// Rows of a curve as of a column, layout().width() values a row.
   std::vector<double> curves(const CurveQuantity& curve, std::size_t first, std::size_t count) const;
 
  private:

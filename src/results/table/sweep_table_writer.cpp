@@ -266,7 +266,7 @@ void SweepTableWriter::State::add(const SweepRun& run) {
     else
       (text++)->add(run.values[i]);
   }
-  for (const std::string& last : {run.status, run.detail, run.file}) (text++)->add(last);
+  for (const std::string& last : {nameOf(run.end), run.detail, run.file}) (text++)->add(last);
   auto metric = metrics_.begin();
   auto timing = timings_.begin();
   for (std::size_t i = 0; i < run.metrics.size(); ++i)

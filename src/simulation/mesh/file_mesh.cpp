@@ -107,13 +107,14 @@ void refuseBadFaces(const std::string& file, const aiScene& scene) {
                             [&](unsigned index) { return index >= part.mNumVertices; });
     }
   }
-  if (faces == 0) throw InputError(file + ": has no faces, expected a surface");
+  if (faces == 0) throw InputError(inFile(file), "has no faces, expected a surface");
   if (few > 0)
-    throw InputError(file + ": " + std::to_string(few) + " of its " + std::to_string(faces) +
-                     " faces have fewer than three corners, expected triangles or polygons");
+    throw InputError(inFile(file),
+                     std::to_string(few) + " of its " + std::to_string(faces) +
+                         " faces have fewer than three corners, expected triangles or polygons");
   if (beyond > 0)
-    throw InputError(file + ": " + std::to_string(beyond) + " of its " + std::to_string(faces) +
-                     " faces name a vertex that does not exist (a damaged file)");
+    throw InputError(inFile(file), std::to_string(beyond) + " of its " + std::to_string(faces) +
+                                       " faces name a vertex that does not exist (a damaged file)");
 }
 
 bool hasPolygons(const aiScene& scene) {
@@ -146,7 +147,7 @@ TriangleMesh readMeshFile(const std::filesystem::path& file) {
   Assimp assimp;
   const auto requireGood = [&](bool read) {
     if (!read || !assimp.complaint().empty())
-      throw InputError(file.string() + ": cannot be read as a mesh (" + shortened(assimp.complaint()) + ")");
+      throw InputError(inFile(file), "cannot be read as a mesh (" + shortened(assimp.complaint()) + ")");
   };
   Assimp::Scene scene = assimp.read(text);
   requireGood(scene != nullptr);
@@ -156,8 +157,8 @@ TriangleMesh readMeshFile(const std::filesystem::path& file) {
   TriangleMesh mesh;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
   if (mesh.faces.size() > max_triangles)
-    throw InputError(file.string() + ": has " + std::to_string(mesh.faces.size()) +
-                     " triangles, expected at most " + std::to_string(max_triangles));
+    throw InputError(inFile(file), "has " + std::to_string(mesh.faces.size()) +
+                                       " triangles, expected at most " + std::to_string(max_triangles));
   return mesh;
 }
 

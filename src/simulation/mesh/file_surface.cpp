@@ -73,8 +73,8 @@ FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& fil
   if (isFinite(mesh)) {
     surface.repairs = repairMesh(mesh, shape.repairs);
     if (shape.max_edge_m && !subdivide(mesh, *shape.max_edge_m / unit_m, most_triangles))
-      throw InputError(file.string() + ": max_edge_m " + number(*shape.max_edge_m) + " makes more than " +
-                       std::to_string(most_triangles) + " triangles, expected fewer");
+      throw InputError(inFile(file), "max_edge_m " + number(*shape.max_edge_m) + " makes more than " +
+                                         std::to_string(most_triangles) + " triangles, expected fewer");
     surface.left = inspect(mesh, shape.unit);
   }
   for (Vec3& vertex : mesh.vertices_m) vertex *= unit_m;

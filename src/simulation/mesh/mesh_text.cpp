@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 constexpr std::uintmax_t max_bytes = std::uintmax_t{256} << 20;
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
-  throw InputError(file.string() + ": " + what);
+  throw InputError(inFile(file), what);
 }
 
 MeshFormat formatOf(const fs::path& file) {

@@ -33,20 +33,20 @@ AxisLines::AxisLines(const std::filesystem::path& file, const LogFiles& files) :
     ++line;
     if (content.find_first_not_of(" \t") == std::string_view::npos) continue;
     if (found == axes_.size())
-      throw InputError(file_, line, "a fourth line, expected three: all x, all y and all z");
+      throw InputError(inFile(file_, line), "a fourth line, expected three: all x, all y and all z");
     axes_[found] = readNumbers(content, file_, line, axis_names[found]);
     samples_ = std::max(samples_, axes_[found].size());
     ++found;
   }
   if (found < axes_.size())
-    throw InputError(file_ + ": has " + std::to_string(found) +
-                     " lines of numbers, expected three: all x, all y and all z");
+    throw InputError(inFile(file_), "has " + std::to_string(found) +
+                                        " lines of numbers, expected three: all x, all y and all z");
 }
 
 std::size_t AxisLines::column(const std::string& name) const {
   const auto known = std::find(axis_names.begin(), axis_names.end(), name);
   if (known == axis_names.end())
-    throw InputError(file_ + ": has no column \"" + name + "\", expected x, y or z");
+    throw InputError(inFile(file_), "has no column \"" + name + "\", expected x, y or z");
   return static_cast<std::size_t>(known - axis_names.begin());
 }
 

@@ -45,10 +45,12 @@ class LogReader {
 
   DeviceLog read() {
     for (; table_->next(); ++row_) takeRow();
-    if (row_ == 0) throw InputError(table_->fileName(), 1, "only a header line, expected rows below it");
+    if (row_ == 0)
+      throw InputError(inFile(table_->fileName(), 1), "only a header line, expected rows below it");
     if (log_.rows.empty())
-      throw InputError(table_->fileName() + ": none of its " + std::to_string(row_) +
-                       " rows has a pose, expected a number in each named column");
+      throw InputError(
+          inFile(table_->fileName()),
+          "none of its " + std::to_string(row_) + " rows has a pose, expected a number in each named column");
     return std::move(log_);
   }
 
@@ -77,7 +79,7 @@ class LogReader {
     const double stamp_s = table_->number(time_column_);
     if (!std::isfinite(stamp_s)) return stamp_s;
     if (stamp_s < latest_stamp_s_)
-      throw InputError(table_->fileName(), table_->line(),
+      throw InputError(inFile(table_->fileName(), table_->line()),
                        "time goes back from " + formatReal(latest_stamp_s_) + " to " + formatReal(stamp_s) +
                            " s in column \"" + *settings_.time_column + "\", expected rows in order of time");
     latest_stamp_s_ = stamp_s;

@@ -40,8 +40,8 @@ void ReplayedMotion::setWindow(const ReplayMotion& settings, const std::string& 
   const double last_s = times_s_.back();
   const double end_s = settings.end_s.value_or(last_s);
   const auto beyond = [&](const std::string& setting, double value_s) {
-    return InputError(file + ": ends at " + formatReal(last_s) + " s of log time, but " + where + setting +
-                      " is " + formatReal(value_s));
+    return InputError(inFile(file), "ends at " + formatReal(last_s) + " s of log time, but " + where +
+                                        setting + " is " + formatReal(value_s));
   };
   if (!(settings.start_s >= 0)) throw InputError(where + ".start_s: expected a value of at least 0");
   if (settings.start_s > last_s + time_slack_s) throw beyond(".start_s", settings.start_s);

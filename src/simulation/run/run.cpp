@@ -192,7 +192,7 @@ RunStatus Run::execute(const Outputs& outputs) {
   }
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
-    status.status = "non_finite";
+    status.end = RunEnd::non_finite;
     status.detail = whatLeftTheScene(state) + " is not finite or more than 10 km away at step " +
                     std::to_string(step) + format(" (t = %g s)", state.time_s);
   }

@@ -81,8 +81,8 @@ Path identityOf(const Path& file) {
 /// `chain`: this file and those that led to it; `bases` grows.
 YamlNode composeFile(const std::string& text, const Path& file, std::vector<Path>& chain,
                      std::vector<Path>& bases) {
-  YamlNode root = parseYaml(text, {file.string(), 1});
-  if (root.kind == Kind::nothing) failAt({file.string(), 1}, "empty, expected a scenario");
+  YamlNode root = parseYaml(text, inFile(file, 1));
+  if (root.kind == Kind::nothing) failAt(inFile(file, 1), "empty, expected a scenario");
   if (root.kind != Kind::map) failAt(root.origin, "not a map, expected `key: value` lines");
   const YamlNode* base = root.find("base");
   if (!base) return root;
@@ -155,7 +155,7 @@ YamlNode merge(YamlNode base, YamlNode top) {
 }
 
 void applyOverride(YamlNode& root, const Override& override) {
-  const Origin origin{"--set " + override.path, 0};
+  const Origin origin = ofOverride(override.path);
   YamlNode value = parseYaml(override.value, origin);
   YamlNode* node = &root;
   std::string walked;

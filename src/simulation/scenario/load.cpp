@@ -22,8 +22,8 @@ Path directoryOf(const Path& file) {
 /// A name written in a base file starts from that file's directory; the scenario's names all start from its
 /// own.
 std::string relativeToScenario(const std::string& name, const Origin& origin, const Path& directory) {
-  const Path written_in = directoryOf(origin.source);
-  if (origin.line == 0 || Path(name).is_absolute() || written_in == directory) return name;
+  const Path written_in = directoryOf(origin.file);
+  if (origin.kind != Origin::Kind::file || Path(name).is_absolute() || written_in == directory) return name;
   const Path whole = (written_in / name).lexically_normal();
   const Path relative = whole.lexically_relative(directory.lexically_normal());
   return relative.empty() ? std::filesystem::absolute(whole).string() : relative.string();

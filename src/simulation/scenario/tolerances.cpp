@@ -46,7 +46,7 @@ ToleranceRule Tolerances::of(const std::string& quantity, const std::string& pip
 }
 
 Tolerances loadTolerances(const std::filesystem::path& file) {
-  const YamlNode root = parseYaml(readTextFile(file), {file.string(), 1});
+  const YamlNode root = parseYaml(readTextFile(file), inFile(file, 1));
   Tolerances tolerances;
   readValue(root, "", tolerances);
   if (tolerances.format != 1)

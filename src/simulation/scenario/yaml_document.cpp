@@ -10,7 +10,6 @@
 #include <sstream>
 #include <utility>
 
-#include "base/error.h"
 #include "text/scalars.h"
 #include "text/text_file.h"
 
@@ -20,7 +19,9 @@ namespace {
 
 /// The origin `offset` lines below `first`.
 Origin lineFrom(const Origin& first, int offset) {
-  return {first.source, first.line == 0 ? 0 : first.line + offset};
+  Origin below = first;
+  if (first.kind == Origin::Kind::file) below.line += offset;
+  return below;
 }
 
 /// Builds the tree from yaml-cpp's events: its own Node accepts duplicate keys and loses lines when cloned.
@@ -148,8 +149,7 @@ std::string oneLine(std::string message) {
 }  // namespace
 
 void failAt(const Origin& origin, const std::string& message) {
-  if (origin.line == 0) throw InputError(oneLine(origin.source + ": " + message));
-  throw InputError(oneLine(origin.source), origin.line, oneLine(message));
+  throw InputError({origin.kind, oneLine(origin.file), origin.line, oneLine(origin.path)}, oneLine(message));
 }
 
 const YamlNode* YamlNode::find(const std::string& key_wanted) const {

@@ -3,13 +3,9 @@
 #include <string>
 #include <vector>
 
-namespace fissure {
+#include "base/error.h"
 
-/// Where something was written: a file and a line from 1, or `--set path` with line 0.
-struct Origin {
-  std::string source;
-  int line = 0;
-};
+namespace fissure {
 
 /// For messages.
 inline std::string inQuotes(const std::string& text) {
@@ -41,7 +37,7 @@ struct YamlNode {
 };
 
 /// Reads one YAML document; text without a value gives a node of kind nothing. Its first line is at `first`:
-/// a file and 1, or `--set path` and 0, which then stands for every line. Throws InputError with the origin
+/// line 1 of a file, or an override, which stands for every line. Throws InputError with the origin
 /// for text that is not UTF-8 or not YAML, and for duplicate keys, anchors, tags, tabs as indentation and a
 /// second document.
 YamlNode parseYaml(const std::string& text, const Origin& first);

@@ -35,7 +35,7 @@ Scenario scenarioOf(const ResultInfo& info, const fs::path& file) {
   try {
     return parseStoredScenario(info.scenario_resolved).scenario;
   } catch (const InputError& error) {
-    throw InputError(file.string() + ": its scenario cannot be read: " + error.what());
+    throw InputError(inFile(file), std::string("its scenario cannot be read: ") + error.what());
   }
 }
 
@@ -47,7 +47,7 @@ std::vector<PipelineResult> chooseRuns(const ResultInfo& info, const RenderJob& 
   for (const std::string& name : job.runs) {
     const auto at = std::find(known.begin(), known.end(), name);
     if (at == known.end())
-      throw InputError(job.result.string() + ": has no run \"" + name + "\"" + didYouMean(name, known));
+      throw InputError(inFile(job.result), "has no run \"" + name + "\"" + didYouMean(name, known));
     const auto same = [&](const PipelineResult& run) { return run.name == name; };
     if (std::none_of(chosen.begin(), chosen.end(), same))
       chosen.push_back(info.pipelines[at - known.begin()]);
@@ -58,19 +58,20 @@ std::vector<PipelineResult> chooseRuns(const ResultInfo& info, const RenderJob& 
 [[noreturn]] void failWithoutSnapshots(const RenderJob& job, const std::vector<PipelineResult>& runs,
                                        const Scenario& scenario) {
   const std::string which = runs.size() == 1 ? "run " + runs.front().name + " holds" : "its runs hold";
-  throw InputError(job.result.string() + ": " + which + " no snapshots to draw, expected " +
-                   (scenario.record.snapshots_every_s ? "a run that lasted until one was written"
-                                                      : "a scenario with record: {snapshots_every_s: ...}"));
+  throw InputError(inFile(job.result), which + " no snapshots to draw, expected " +
+                                           (scenario.record.snapshots_every_s
+                                                ? "a run that lasted until one was written"
+                                                : "a scenario with record: {snapshots_every_s: ...}"));
 }
 
 /// A finished result, not a part or a few rows of one.
 ResultInfo wholeResult(const fs::path& file) {
   ResultInfo info = readResultInfo(file);
   if (!info.complete)
-    throw InputError(file.string() +
-                     ": not complete, expected a finished result (fissure salvage makes one of a part)");
+    throw InputError(inFile(file),
+                     "not complete, expected a finished result (fissure salvage makes one of a part)");
   if (info.reference)
-    throw InputError(file.string() + ": a reference, which holds a few rows, expected a whole result");
+    throw InputError(inFile(file), "a reference, which holds a few rows, expected a whole result");
   return info;
 }
 
@@ -119,7 +120,7 @@ void makeFolder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (!error && !fs::is_directory(folder, error)) error = std::make_error_code(std::errc::not_a_directory);
-  if (error) throw InputError(folder.string() + ": cannot make this folder: " + error.message());
+  if (error) throw InputError(inFile(folder), "cannot make this folder: " + error.message());
 }
 
 /// Where each picture of each series goes; nothing is in the way.
@@ -156,8 +157,8 @@ class VideoOfJob {
     keeping(job.folder.has_value(), [&] {
       const auto ffmpeg = programOnPath("ffmpeg");
       if (!ffmpeg)
-        throw InputError(job.video->string() +
-                         ": needs ffmpeg, which is not installed (Debian: apt-get install ffmpeg)");
+        throw InputError(inFile(*job.video),
+                         "needs ffmpeg, which is not installed (Debian: apt-get install ffmpeg)");
       const PictureSize size = series.pictures.size();
       const std::string kind = job.video->extension().string().substr(1);
       file_.emplace(*job.video, *ffmpeg,

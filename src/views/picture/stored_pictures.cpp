@@ -44,7 +44,7 @@ Camera chosenCamera(const PictureSettings& settings, const std::vector<Vec3>& po
 class StoredPictures::Panel {
  public:
   Panel(const std::filesystem::path& file, const PipelineResult& run, std::optional<double> ground_height_m)
-      : name_(run.name), status_(run.status.status), reader_(file, run.name), scene_(reader_.scene()) {
+      : name_(run.name), end_(run.status.end), reader_(file, run.name), scene_(reader_.scene()) {
     scene_.ground_height_m = ground_height_m;
     if (!times_s().empty()) first_ = reader_.at(0);
   }
@@ -89,14 +89,15 @@ class StoredPictures::Panel {
   Image draw(const Shown& shown) {
     if (!shown.snapshot) {
       Image image = emptyPicture(camera_.width_px, camera_.height_px);
-      drawLines(image, {name_, status_, "no snapshot"});
+      drawLines(image, {name_, nameOf(end_), "no snapshot"});
       return image;
     }
     if (!renderer_) renderer_ = makeOffscreenRenderer(scene_, camera_, first_);
     const State state = reader_.at(*shown.snapshot);
     std::vector<std::string> lines = frameText(name_, state.time_s, reader_.depth_m(*shown.snapshot));
     const bool last = *shown.snapshot + 1 == times_s().size();
-    if (shown.over || (last && status_ != "ok")) lines.push_back(status_ == "ok" ? "ended" : status_);
+    if (shown.over || (last && end_ != RunEnd::ok))
+      lines.push_back(end_ == RunEnd::ok ? "ended" : nameOf(end_));
     if (!shown.over) return renderer_->draw(state, lines);
     Image image = faded(renderer_->draw(state, {}));
     drawLines(image, lines);
@@ -104,7 +105,7 @@ class StoredPictures::Panel {
   }
 
   std::string name_;
-  std::string status_;
+  RunEnd end_;
   SnapshotReader reader_;
   Scene scene_;
   State first_;

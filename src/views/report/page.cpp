@@ -1,6 +1,7 @@
 #include "report/page.h"
 
 #include <map>
+#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 #include <vector>

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "base/error.h"
 #include "report/frames.h"
@@ -47,7 +48,7 @@ PageJson runsJson(const std::vector<ReportRun>& runs) {
                     {"pipeline", run.result->pipeline},
                     {"precision", run.result->precision},
                     {"description", run.result->description},
-                    {"status", run.result->status.status},
+                    {"status", nameOf(run.result->status.end)},
                     {"times", timesJson(run.times_s)}});
   return json;
 }
@@ -77,7 +78,7 @@ PageJson fittingFrames(const std::vector<ReportRun>& runs, const PageJson& page)
 PageJson entryJson(const FolderEntry& entry) {
   PageJson runs = PageJson::array();
   for (const PipelineResult& run : entry.info.pipelines)
-    runs.push_back({{"name", run.name}, {"status", run.status.status}, {"precision", run.precision}});
+    runs.push_back({{"name", run.name}, {"status", nameOf(run.status.end)}, {"precision", run.precision}});
   return {{"name", entry.name},
           {"page", entry.page},
           {"problem", entry.problem},
@@ -92,8 +93,8 @@ PageJson entryJson(const FolderEntry& entry) {
 PageJson resultPage(const std::filesystem::path& file, const std::string& program, const std::string& video) {
   const ResultInfo info = readResultInfo(file);
   if (!info.complete)
-    throw InputError(file.string() +
-                     ": not complete, expected a finished result (fissure salvage makes one of a part)");
+    throw InputError(inFile(file),
+                     "not complete, expected a finished result (fissure salvage makes one of a part)");
   const std::vector<ReportRun> runs = openRuns(file, info);
   PageJson page = {{"kind", "result"},
                    {"title", info.title},

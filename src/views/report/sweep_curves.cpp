@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "report/packed.h"
@@ -26,7 +27,7 @@ struct Sizes {
 
 /// The shown runs' values of all tracks of one curve: law by law, run by run.
 std::vector<std::vector<Track>> readTracks(const SweepTable& table, const CurveQuantity& curve,
-                                         const std::vector<std::size_t>& runs, const Sizes& sizes) {
+                                           const std::vector<std::size_t>& runs, const Sizes& sizes) {
   const std::size_t width = table.layout().width(curve);
   const std::size_t block = std::max<std::size_t>(1, values_a_read / width);
   std::vector<std::vector<Track>> tracks(width / sizes.stored, std::vector<Track>(runs.size()));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 
 namespace fissure {
@@ -39,15 +40,15 @@ std::size_t endOfNumber(const std::string& text, std::size_t at) {
 }
 
 /// Most frequent first, then by name.
-std::vector<SweepFailure> failuresOf(const std::vector<std::string>& status,
+std::vector<SweepFailure> failuresOf(const std::vector<RunEnd>& ends,
                                      const std::vector<std::string>& details) {
   std::map<std::pair<std::string, std::string>, std::vector<std::size_t>> found;
-  for (std::size_t run = 0; run < status.size(); ++run) {
-    if (status[run] != good_run && status[run] != missing_run)
-      found[{status[run], withoutNumbers(details[run])}].push_back(run);
+  for (std::size_t run = 0; run < ends.size(); ++run) {
+    if (ends[run] != RunEnd::ok && ends[run] != RunEnd::missing)
+      found[{nameOf(ends[run]), withoutNumbers(details[run])}].push_back(run);
   }
   std::vector<SweepFailure> failures;
-  for (const auto& [key, runs] : found) failures.push_back({key.first, key.second, runs, {}});
+  for (const auto& [key, runs] : found) failures.push_back({ends[runs.front()], key.second, runs, {}});
   std::stable_sort(failures.begin(), failures.end(), [](const SweepFailure& a, const SweepFailure& b) {
     return a.runs.size() > b.runs.size();
   });
@@ -151,9 +152,9 @@ std::string withoutNumbers(const std::string& reason) {
 
 SweepEnds sweepEnds(const SweepTable& table) {
   SweepEnds ends;
-  ends.status = table.texts("status");
+  ends.ends = table.ends();
   ends.pipelines = table.texts("pipeline");
-  ends.failures = failuresOf(ends.status, table.texts("status_detail"));
+  ends.failures = failuresOf(ends.ends, table.texts("status_detail"));
   findPlaces(table, ends.pipelines, ends.failures);
   ends.reasons.assign(table.runs(), ends.failures.size());
   for (std::size_t i = 0; i < ends.failures.size(); ++i)
@@ -168,7 +169,7 @@ PageJson failuresJson(const SweepEnds& ends) {
     examples.resize(std::min(examples.size(), most_examples));
     PageJson where = PageJson::array();
     for (const FailurePlace& place : failure.where) where.push_back(placeJson(place));
-    json.push_back({{"status", failure.status},
+    json.push_back({{"status", nameOf(failure.end)},
                     {"reason", failure.reason},
                     {"count", failure.runs.size()},
                     {"examples", examples},

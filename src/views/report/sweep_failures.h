@@ -24,7 +24,7 @@ struct FailurePlace {
 
 /// Runs that ended alike.
 struct SweepFailure {
-  std::string status;
+  RunEnd end = RunEnd::failed;
   std::string reason;  ///< without numbers
   std::vector<std::size_t> runs;
   /// Up to three axes, the smallest share first: numeric ones with a share of at most three quarters, and
@@ -35,14 +35,11 @@ struct SweepFailure {
 /// How the runs of a sweep ended, all of them.
 struct SweepEnds {
   std::vector<std::string> pipelines;  ///< one a run
-  std::vector<std::string> status;     ///< one a run
+  std::vector<RunEnd> ends;            ///< one a run
   std::vector<std::size_t> reasons;    ///< one a run, of `failures`; failures.size() where it has not failed
-  std::vector<SweepFailure> failures;  ///< the most frequent first
+  /// Runs that ended otherwise than `ok`, without those that nobody has run yet; the most frequent first.
+  std::vector<SweepFailure> failures;
 };
-
-/// Status of runs that nobody has run yet, and of those that are as they should be; all others have failed.
-inline constexpr const char* missing_run = "missing";
-inline constexpr const char* good_run = "ok";
 
 SweepEnds sweepEnds(const SweepTable& table);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 
@@ -99,10 +100,17 @@ PageJson metricsJson(const SweepTable& table, const std::vector<std::size_t>& ru
   return metrics;
 }
 
-/// [[pipeline, status, runs]], of all runs.
-PageJson countsJson(const std::vector<std::string>& pipelines, const std::vector<std::string>& status) {
+std::vector<std::string> namesOf(const std::vector<RunEnd>& ends) {
+  std::vector<std::string> names;
+  for (const RunEnd end : ends) names.push_back(nameOf(end));
+  return names;
+}
+
+/// [[pipeline, status, runs]], of all runs, in the order of the names.
+PageJson countsJson(const SweepEnds& ends) {
   std::map<std::pair<std::string, std::string>, std::size_t> counts;
-  for (std::size_t run = 0; run < status.size(); ++run) ++counts[{pipelines[run], status[run]}];
+  for (std::size_t run = 0; run < ends.ends.size(); ++run)
+    ++counts[{ends.pipelines[run], nameOf(ends.ends[run])}];
   PageJson json = PageJson::array();
   for (const auto& [key, count] : counts) json.push_back({key.first, key.second, count});
   return json;
@@ -144,7 +152,7 @@ ShownRuns describeShown(const SweepTable& table, const std::vector<std::size_t>&
   for (const std::string& name : names)
     shown.pipeline.push_back(static_cast<std::size_t>(
         std::find(pipelines.begin(), pipelines.end(), PageJson(name)) - pipelines.begin()));
-  for (const std::size_t run : runs) shown.good.push_back(ends.status[run] == good_run);
+  for (const std::size_t run : runs) shown.good.push_back(ends.ends[run] == RunEnd::ok);
   shown.first = curvesFirst(table, runs, failuresJson(ends));
   return shown;
 }
@@ -170,12 +178,12 @@ PageJson sweepPage(const std::filesystem::path& file, const std::string& program
                    {"complete", table.complete()},
                    {"total", table.runs()},
                    {"shown", runs.size()},
-                   {"counts", countsJson(ends.pipelines, ends.status)},
+                   {"counts", countsJson(ends)},
                    {"numbers", all ? PageJson() : packedNumbers({runs.begin(), runs.end()})},
                    {"point", packedNumbers(picked(table.numbers("point"), runs))},
                    {"repeat", packedNumbers(picked(table.numbers("repeat"), runs))},
                    {"pipeline", packed_pipelines},
-                   {"status", packedTexts(ends.status, runs)},
+                   {"status", packedTexts(namesOf(ends.ends), runs)},
                    {"detail", packedTexts(table.texts("status_detail"), runs)},
                    {"files", packedTexts(table.texts("file"), runs)},
                    {"axes", axesJson(table, runs)},

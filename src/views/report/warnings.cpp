@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
@@ -119,9 +120,9 @@ void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
 std::vector<Warning> warningsOf(const ReportRun& run) {
   std::vector<Warning> warnings;
   const PipelineResult& result = *run.result;
-  if (result.status.status != "ok")
-    warnings.push_back(
-        {true, result.status.status + (result.status.detail.empty() ? "" : ": " + result.status.detail)});
+  if (result.status.end != RunEnd::ok)
+    warnings.push_back({true, nameOf(result.status.end) +
+                                  (result.status.detail.empty() ? "" : ": " + result.status.detail)});
   if (run.times_s.empty()) warnings.push_back({true, "it left no series: nothing of it can be plotted"});
   addForces(result.summary, warnings);
   addCounted(result.summary, warnings);

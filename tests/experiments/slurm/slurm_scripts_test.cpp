@@ -50,6 +50,68 @@ TEST(SlurmScripts, AreRefusedWithoutALineThatIsNeeded) {
   EXPECT_THROW(readArrayScript(arrayScriptText(none), "f"), InputError);
 }
 
+/// The script with one of its lines written in another way.
+std::string edited(const std::string& line, const std::string& by) {
+  std::string text = arrayScriptText(script);
+  const std::size_t at = text.find("\n" + line + "\n");
+  return at == std::string::npos ? "test error: no " + line : text.replace(at + 1, line.size(), by);
+}
+
+bool isRefused(const std::string& text) {
+  try {
+    readArrayScript(text, "f");
+  } catch (const InputError& error) {
+    EXPECT_TRUE(error.isAbout("f"));
+    return true;
+  }
+  return false;
+}
+
+const std::string about_line = "# Sweep blades: 24 simulations dealt to 4 shards.";
+const std::string array_line = "#SBATCH --array=1-4%2";
+const std::string cpus_line = "#SBATCH --cpus-per-task=2";
+const std::string program_line = "program='/opt/my programs/fissure'";
+
+TEST(SlurmScripts, LinesMayBeWrittenInAFewOtherWays) {
+  EXPECT_EQ(readArrayScript(edited(about_line, about_line + " Keep it."), "f").sweep, "blades");
+  EXPECT_EQ(
+      readArrayScript(edited(about_line, "# Sweep a:b:: 24 simulations dealt to 4 shards.x"), "f").sweep,
+      "a:b:");
+  EXPECT_EQ(readArrayScript(edited(array_line, "#SBATCH --array=1-4 \t "), "f").throttle, "");
+  EXPECT_EQ(readArrayScript(edited(array_line, "#SBATCH --array=1-04%010"), "f").throttle, "%010");
+  EXPECT_EQ(readArrayScript(edited(cpus_line, cpus_line + "\t"), "f").cpus, 2U);
+  EXPECT_EQ(readArrayScript(edited(cpus_line, "#SBATCH --cpus-per-task=1234567890"), "f").cpus, 999999999U);
+  EXPECT_EQ(readArrayScript(edited(program_line, "program= other # \t"), "f").program, " other # \t");
+  EXPECT_EQ(readArrayScript(edited(program_line, "program="), "f").program, "");
+  EXPECT_EQ(readArrayScript(edited(cpus_line, cpus_line + "\n#SBATCH --cpus-per-task=3"), "f").cpus, 2U)
+      << "the first one counts";
+}
+
+TEST(SlurmScripts, LinesThatAreAlmostRightAreNone) {
+  for (const std::string about :
+       {" # Sweep blades: 24 simulations dealt to 4 shards.", "# Sweep : 24 simulations dealt to 4 shards.",
+        "# Sweep two words: 24 simulations dealt to 4 shards.",
+        "# Sweep blades: 24 simulations dealt to 4 shards",
+        "# Sweep blades:  24 simulations dealt to 4 shards.",
+        "# Sweep blades: x simulations dealt to 4 shards.",
+        "# Sweep blades: 24 simulations dealt to  shards.",
+        "# Sweep blades 24 simulations dealt to 4 shards.",
+        "# Sweep blades:\t24 simulations dealt to 4 shards.",
+        "# Sweep blades: 24 simulations dealt to 4 shards.\r"})
+    EXPECT_TRUE(isRefused(edited(about_line, about))) << about;
+  for (const std::string array :
+       {"#SBATCH --array=1-4%", "#SBATCH --array=1-", "#SBATCH --array=1-%2", "#SBATCH --array=1-4%2 # eight",
+        "#SBATCH --array=0-4", "##SBATCH --array=1-4", "#SBATCH --array=1-4 %2", "#SBATCH --array=1-4\r",
+        "#SBATCH --array=1-4%2%2"})
+    EXPECT_TRUE(isRefused(edited(array_line, array))) << array;
+  for (const std::string cpus :
+       {"#SBATCH --cpus-per-task=", "#SBATCH --cpus-per-task=-2", "#SBATCH --cpus-per-task=2x",
+        "#SBATCH --cpus-per-task= 2", "#SBATCH --cpus-per-task=2\r"})
+    EXPECT_TRUE(isRefused(edited(cpus_line, cpus))) << cpus;
+  for (const std::string program : {"export program=x", "program =x", "program=x\r"})
+    EXPECT_TRUE(isRefused(edited(program_line, program))) << program;
+}
+
 TEST(SlurmScripts, OfAMergeAreKnownAsUneditedWhateverTheProgram) {
   const std::string text = mergeScriptText("blades", "/opt/fissure");
   EXPECT_TRUE(isUneditedMergeScript(text, "blades"));

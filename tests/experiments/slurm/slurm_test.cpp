@@ -97,5 +97,40 @@ TEST_F(SlurmAnswers, AClusterMayTakeNoArrays) {
   EXPECT_EQ(slurmLimits().mostShards(), 1u);
 }
 
+struct Configured {
+  std::string config;            ///< what scontrol prints, as printf takes it
+  std::optional<int> job_count;  ///< nothing: refused
+};
+
+TEST_F(SlurmAnswers, ALimitIsANumberOfUpToNineDigitsOnALineOfItsOwn) {
+  const std::vector<Configured> all = {
+      {"MaxJobCount=10", 10},
+      {"a = b\\nMaxJobCount \\t =  10 \\t\\r\\nc = d\\n", 10},
+      {"MaxJobCount\\n=\\n10\\n", 10},
+      {"MaxJobCount = 999999999\\n", 999999999},
+      {"MaxJobCount = 0000000010\\n", {}},
+      {"MaxJobCount = 10 (of 20)\\n", {}},
+      {"MaxJobCount = 10s\\n", {}},
+      {"MaxJobCount = -10\\n", {}},
+      {"MaxJobCount = \\n", {}},
+      {"MaxJobCount : 10\\n", {}},
+      {" MaxJobCount = 10\\n", {}},
+      {"OtherMaxJobCount = 10\\n", {}},
+      {"MaxJobCounts = 10\\n", {}},
+      {"MaxJobCount = many\\nMaxJobCount = 10\\n", 10},
+      {"MaxJobCount = 5\\nMaxJobCount = 10\\n", 5},
+  };
+  for (const Configured& each : all) {
+    tool("scontrol", "printf '" + each.config + "'; printf '\\nMaxArraySize = 1001\\n'");
+    try {
+      EXPECT_EQ(slurmLimits().max_job_count, static_cast<std::size_t>(each.job_count.value_or(-1)))
+          << each.config;
+    } catch (const RunError& error) {
+      EXPECT_FALSE(each.job_count) << each.config;
+      EXPECT_STREQ(error.what(), "scontrol: says no MaxJobCount");
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fissure::slurm_test

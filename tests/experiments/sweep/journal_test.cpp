@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <csignal>
 #include <fstream>
 
@@ -164,13 +165,20 @@ TEST(TaskRecords, KeepEveryBit) {
   EXPECT_EQ(back.values[3], 1e-320);
   EXPECT_EQ(back.texts.at("hash"), "x\ny");
 
-  TaskRecord record{"0123", {"non_finite", "at step 3"}, bytes, {{"timing/x_us", 2.5}}, "runs/a.h5", 12, 34,
-                    56};
+  TaskRecord record;
+  record.task = "0123";
+  record.status = {RunEnd::non_finite, "at step 3"};
+  record.numbers = bytes;
+  record.timing = {{"timing/x_us", 2.5}};
+  record.file = "runs/a.h5";
+  record.file_bytes = 12;
+  record.file_time = 34;
+  record.recorded_s = 56;
   const TaskRecord read = decodeRecord(encodeRecord(record));
   EXPECT_EQ(encodeRecord(read), encodeRecord(record));
   EXPECT_EQ(read.numbers, bytes);
   EXPECT_TRUE(read.finished());
-  record.status.status = "crashed";
+  record.status.end = RunEnd::crashed;
   EXPECT_FALSE(record.finished());
   EXPECT_THROW(decodeRecord("nonsense"), RunError);
   EXPECT_THROW(decodeRecord(""), RunError);

@@ -220,7 +220,7 @@ TEST_F(ManifestTest, ReadsBackAsItWas) {
   EXPECT_EQ(back.settings.curves->until_s, 1.0 / 3);
   EXPECT_EQ(back.settings.keep, SweepKeep::results);
   EXPECT_EQ(back.settings.limits.time_s, 2.5);
-  EXPECT_FALSE(back.settings.limits.memory_mb);
+  EXPECT_FALSE(back.settings.limits.memory_mib);
   EXPECT_EQ(back.settings.fit->match, MatchBy::time);
   EXPECT_EQ(back.settings.fit->law, "lin");
   EXPECT_EQ(back.measured, "d,f\n1,2\n");

@@ -67,11 +67,11 @@ class Recorder : public testing::Test {
         layout_, {.curves = curveQuantities({"force", "penetration_depth", "indentation"}, layout_, ""),
                   .times_s = times_s});
     for (const RecordRow& row : rows) recorder.append(row);
-    recorder.finish({"non_finite", "at step 3"}, {{"max_force_N", 2.5},
-                                                  {"steps", 3LL},
-                                                  {"hash", std::string("abc")},
-                                                  {"timing/mean_us", 9.0},
-                                                  {"provenance/engine", std::string("x")}});
+    recorder.finish({RunEnd::non_finite, "at step 3"}, {{"max_force_N", 2.5},
+                                                        {"steps", 3LL},
+                                                        {"hash", std::string("abc")},
+                                                        {"timing/mean_us", 9.0},
+                                                        {"provenance/engine", std::string("x")}});
     record_ = recorder.record();
     return decodeNumbers(record_.numbers);
   }
@@ -104,7 +104,7 @@ TEST_F(Recorder, KeepsNumbersTextsAndTimingsApart) {
   EXPECT_EQ(numbers.values, (std::vector<double>{2.5, 3}));
   EXPECT_EQ(numbers.texts, (std::map<std::string, std::string>{{"hash", "abc"}}));
   EXPECT_EQ(record_.timing, (std::map<std::string, double>{{"timing/mean_us", 9}}));
-  EXPECT_EQ(record_.status.status, "non_finite");
+  EXPECT_EQ(nameOf(record_.status.end), "non_finite");
 }
 
 TEST_F(Recorder, AValueThatIsMissingStaysMissing) {

@@ -53,7 +53,7 @@ inline Listener runPool(const std::vector<WorkerTask>& tasks, int slots = 1) {
 /// Status and detail of one worker, as "status|detail".
 inline std::string endOf(const WorkerTask& task) {
   const RunStatus status = runPool({task}).ends[0];
-  return status.status + "|" + status.detail;
+  return nameOf(status.end) + "|" + status.detail;
 }
 
 }  // namespace fissure

@@ -30,11 +30,11 @@ TEST(WorkerPool, OneBadWorkerLeavesTheOthersAlone) {
   Listener heard = runPool({shellTask("kill -ABRT $$"), shellTask("exit 0"), shellTask("sleep 9", 0.2),
                             WorkerTask{"/nowhere", {}, 1}, shellTask("exit 0")},
                            2);
-  EXPECT_EQ(heard.ends[0].status, "crashed");
-  EXPECT_EQ(heard.ends[1].status, "ok");
-  EXPECT_EQ(heard.ends[2].status, "timeout");
-  EXPECT_EQ(heard.ends[3].status, "failed");
-  EXPECT_EQ(heard.ends[4].status, "ok");
+  EXPECT_EQ(nameOf(heard.ends[0].end), "crashed");
+  EXPECT_EQ(nameOf(heard.ends[1].end), "ok");
+  EXPECT_EQ(nameOf(heard.ends[2].end), "timeout");
+  EXPECT_EQ(nameOf(heard.ends[3].end), "failed");
+  EXPECT_EQ(nameOf(heard.ends[4].end), "ok");
 }
 
 // The second of four workers sends the request to its parent, which is this test, and goes on: it and the
@@ -48,11 +48,11 @@ TEST_P(Interrupted, RequestStopsWorkersAndKeepsWhatIsFinished) {
       runPool({shellTask("exit 0"), shellTask("echo progress 4 8; kill -" + signal + " $PPID; sleep 30"),
                shellTask("exit 0"), shellTask("exit 0")});
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10));
-  EXPECT_EQ(heard.ends[0].status, "ok");
-  EXPECT_EQ(heard.ends[1].status, "interrupted");
+  EXPECT_EQ(nameOf(heard.ends[0].end), "ok");
+  EXPECT_EQ(nameOf(heard.ends[1].end), "interrupted");
   EXPECT_EQ(heard.ends[1].detail, "stopped after step 4 of 8");
   for (const std::size_t task : {2u, 3u}) {
-    EXPECT_EQ(heard.ends[task].status, "interrupted");
+    EXPECT_EQ(nameOf(heard.ends[task].end), "interrupted");
     EXPECT_EQ(heard.ends[task].detail, "not started");
   }
 }

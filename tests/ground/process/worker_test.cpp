@@ -81,7 +81,7 @@ TEST(Worker, GarbageNeitherConfusesNorFills) {
                          "head -c 50000000 /dev/zero >&2")});
   rusage after = {};
   getrusage(RUSAGE_SELF, &after);
-  EXPECT_EQ(heard.ends.at(0).status, "ok");
+  EXPECT_EQ(nameOf(heard.ends.at(0).end), "ok");
   EXPECT_EQ(heard.last.at(0), (Progress{5, 10}));
   EXPECT_LT(after.ru_maxrss - before.ru_maxrss, 20000) << "kB";
 }

@@ -52,9 +52,9 @@ class CompareRuns : public testing::Test {
       if (changes.snapshot) changes.snapshot(i, state);
       sink->snapshot(state);
     }
-    sink->finish({"ok", ""}, changes.summary);
+    sink->finish({RunEnd::ok, ""}, changes.summary);
     const auto path = folder_ / (name + ".h5");
-    assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines[0], part, {"ok", ""}}});
+    assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines[0], part, {RunEnd::ok, ""}}});
     return path;
   }
   RunComparison compare(const std::filesystem::path& a, const std::filesystem::path& b,

@@ -8,8 +8,8 @@ namespace fissure::expectations_test {
 
 namespace {
 
-PipelineResult runWith(const std::string& name, const Summary& summary, const std::string& status = "ok") {
-  return {.name = name, .status = {status, ""}, .summary = summary};
+PipelineResult runWith(const std::string& name, const Summary& summary, RunEnd end = RunEnd::ok) {
+  return {.name = name, .status = {end, ""}, .summary = summary};
 }
 
 bool holds(const Expectation& expected, double found) {
@@ -57,7 +57,7 @@ TEST(Expectations, WhatIsMissingDoesNotHoldAndIsNamed) {
 
 TEST(Expectations, OfARunThatFailedDoNotHold) {
   const Expectation expected{.quantity = "depth_m", .max = 1};
-  const auto checked = checkExpectations({expected}, {runWith("a", {{"depth_m", 0.0}}, "non_finite")});
+  const auto checked = checkExpectations({expected}, {runWith("a", {{"depth_m", 0.0}}, RunEnd::non_finite)});
   EXPECT_FALSE(checked.front().holds);
   EXPECT_EQ(checked.front().found, "unknown, the run is non_finite");
 }

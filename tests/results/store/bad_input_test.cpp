@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "sample_run.h"
 #include "store/result_file.h"
+#include "store/salvage.h"
 
 namespace fissure::bad_input_test {
 
@@ -34,7 +35,7 @@ std::filesystem::path writeResult(const TemporaryFolder& folder) {
   const auto part = folder / "default.part";
   writeSamplePart(part, run, "default");
   const auto path = folder / "sample.h5";
-  assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines.at(1), part, {"ok", ""}}});
+  assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines.at(1), part, {RunEnd::ok, ""}}});
   return path;
 }
 
@@ -72,6 +73,20 @@ TEST(BadInput, NewerFormatVersion) {
   EXPECT_EQ(complaintAbout(path), "nothing");
   withH5py(path, "a", "f.attrs.modify('format_version', 2)");
   EXPECT_EQ(complaintAbout(path), "format_version 2, expected at most 1: written by a newer fissure");
+}
+
+TEST(BadInput, UnknownStatus) {
+  const TemporaryFolder folder;
+  const std::string unknown = "the status \"melted\" of a run is unknown, expected one of ok, non_finite, ";
+  const auto path = writeResult(folder);
+  withH5py(path, "a", "f['pipelines/default'].attrs['status'] = 'melted'");
+  expectStart(complaintAbout(path), unknown);
+  withH5py(path, "a", "del f['pipelines/default'].attrs['status']");
+  expectStart(complaintAbout(path), "the status \"\" of a run is unknown");
+  const auto part = folder / "default.part";
+  withH5py(part, "a", "f['pipelines/default'].attrs['status'] = 'melted'");
+  expectStart(complaintAbout(part), unknown);
+  EXPECT_THROW(inspectPart(part), InputError) << "it is not known whether there is anything to salvage";
 }
 
 // Cut anywhere, a result is refused, never half read.

@@ -118,8 +118,8 @@ void writeDrawableResult(const std::filesystem::path& path, const std::vector<Dr
       state.time_s += 0.05;  // a step without a snapshot, whose depth is another one
       sink->append(rowOf(layout, state, 1));
     }
-    sink->finish({run.status, ""}, {});
-    parts.push_back({entry, part, {run.status, ""}});
+    sink->finish({run.end, ""}, {});
+    parts.push_back({entry, part, {run.end, ""}});
   }
   assembleResult(path, loaded, {}, parts);
 }

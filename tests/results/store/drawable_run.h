@@ -19,7 +19,7 @@ double drawableDepth_m(std::size_t snapshot);
 /// A run of a result: its status, and how many snapshots it came to.
 struct DrawableRun {
   std::string name;
-  std::string status = "ok";
+  RunEnd end = RunEnd::ok;
   std::size_t snapshots = 3;
 };
 

@@ -40,7 +40,8 @@ std::size_t rowsOf(const std::filesystem::path& path) {
 std::size_t salvagedRows(const TemporaryFolder& folder, const SampleRun& run,
                          const std::filesystem::path& part) {
   const auto path = folder / "salvaged.h5";
-  assembleResult(path, loadedSample(run), {}, {{run.scenario.pipelines.at(1), part, {"crashed", "killed"}}});
+  assembleResult(path, loadedSample(run), {},
+                 {{run.scenario.pipelines.at(1), part, {RunEnd::crashed, "killed"}}});
   const SeriesData time = readSeries(path, "/pipelines/default/time");
   const SeriesData counts = readSeries(path, "/pipelines/default/contact_count");
   const SeriesData force = readSeries(path, "/pipelines/default/force");
@@ -87,13 +88,13 @@ TEST(Part, FinishStoresStatusAndSummary) {
   const auto path = folder / "default.part";
   const auto part = openSamplePart(path, run, "default");
   appendSamples(*part, run);
-  part->finish({"non_finite", "at step 5"}, {{"steps", 5LL}, {"timing/mean_us", 2.0}});
+  part->finish({RunEnd::non_finite, "at step 5"}, {{"steps", 5LL}, {"timing/mean_us", 2.0}});
   const ResultInfo info = readResultInfo(path);
   EXPECT_FALSE(info.complete) << "a part is no result";
   EXPECT_EQ(info.format, "fissure-part");
   EXPECT_EQ(info.title, "sample");
   EXPECT_EQ(info.scenario_resolved, "name: sample\n") << "a part alone can be salvaged";
-  EXPECT_EQ(info.pipelines.at(0).status.status, "non_finite");
+  EXPECT_EQ(nameOf(info.pipelines.at(0).status.end), "non_finite");
   EXPECT_EQ(info.pipelines.at(0).status.detail, "at step 5");
   ASSERT_EQ(info.pipelines.at(0).summary.size(), 2U);
   EXPECT_EQ(rowsOf(path), 5U);
@@ -105,7 +106,7 @@ TEST(Part, FinishWithoutAnyRowWorks) {
   const SampleRun run = makeSampleRun(0, true);
   const auto path = folder / "default.part";
   writeSamplePart(path, run, "default");
-  EXPECT_EQ(statusOf(path).status, "ok");
+  EXPECT_EQ(nameOf(statusOf(path).end), "ok");
   EXPECT_EQ(rowsOf(path), 0U);
 }
 
@@ -114,7 +115,7 @@ TEST(Part, DroppedWithoutFinishIsIncompleteAndReadable) {
   const SampleRun run = makeSampleRun(7, true);
   const auto path = folder / "default.part";
   appendSamples(*openSamplePart(path, run, "default"), run);
-  EXPECT_EQ(statusOf(path).status, "incomplete");
+  EXPECT_EQ(nameOf(statusOf(path).end), "incomplete");
   EXPECT_EQ(salvagedRows(folder, run, path), 7U);
   EXPECT_EQ(readSeries(folder / "salvaged.h5", "/pipelines/default/frames").shape,
             (std::vector<std::size_t>{2, 4, 5, 3}));
@@ -133,7 +134,7 @@ TEST(Part, KilledWriterLeavesItsCompleteBlocks) {
   });
   EXPECT_FALSE(child.exited);
   EXPECT_EQ(child.code, SIGKILL);
-  EXPECT_EQ(statusOf(path).status, "incomplete");
+  EXPECT_EQ(nameOf(statusOf(path).end), "incomplete");
   EXPECT_EQ(rowsOf(path), 2 * 3334U);
   EXPECT_EQ(salvagedRows(folder, run, path), 2 * 3334U);
 }
@@ -238,7 +239,7 @@ TEST(Part, CutShortBySomebodyElseIsARunError) {
   appendSamples(*part, run);
   std::filesystem::resize_file(path, std::filesystem::file_size(path) - 1);
   try {
-    part->finish({"ok", ""}, {});
+    part->finish({RunEnd::ok, ""}, {});
     FAIL();
   } catch (const RunError& error) {
     EXPECT_EQ(error.what(), path.string() + ": cannot write: somebody else has cut the file short");
@@ -260,7 +261,7 @@ TEST(Part, ReadersDoNotKeepItFromBeingFinished) {
   for (int trial = 0; trial < 50; ++trial) {
     const auto part = openSamplePart(path, run, "default");
     appendSamples(*part, run);
-    EXPECT_NO_THROW(part->finish({"ok", ""}, {})) << "trial " << trial;
+    EXPECT_NO_THROW(part->finish({RunEnd::ok, ""}, {})) << "trial " << trial;
   }
   ::kill(reader, SIGKILL);
   ::waitpid(reader, nullptr, 0);
@@ -276,10 +277,10 @@ TEST(Salvage, SaysUpToWhichStep) {
   }
   const PartContent content = inspectPart(path);
   EXPECT_EQ(content.pipeline, "default");
-  EXPECT_EQ(content.status.status, "salvaged");
+  EXPECT_EQ(nameOf(content.status.end), "salvaged");
   EXPECT_EQ(content.status.detail, "up to step 2 of 999 (t = 1 s), what came after was not on the disk yet");
   writeSamplePart(path, run, "default");
-  EXPECT_EQ(inspectPart(path).status.status, "ok") << "a finished run keeps its status";
+  EXPECT_EQ(nameOf(inspectPart(path).status.end), "ok") << "a finished run keeps its status";
 }
 
 TEST(Salvage, PartWithoutARowIsRefused) {
@@ -305,7 +306,7 @@ TEST(Part, RefusesWhatDoesNotFit) {
   RecordRow row = sampleRow(run.layout, 0);
   row[run.layout.find("contact_count")->first_column] = std::numeric_limits<double>::quiet_NaN();
   part->append(row);
-  EXPECT_THROW(part->finish({"ok", ""}, {}), std::logic_error) << "a count cannot be missing";
+  EXPECT_THROW(part->finish({RunEnd::ok, ""}, {}), std::logic_error) << "a count cannot be missing";
 }
 
 TEST(Part, RefusesLayoutsWithoutTimeOrWithClashingNames) {
@@ -359,10 +360,10 @@ TEST(FullDisk, PartEitherWholeOrRunError) {
         const auto part = openSamplePart(path, run, "default");
         try {
           appendSamples(*part, run);
-          part->finish({"ok", ""}, {{"steps", 3000LL}});
+          part->finish({RunEnd::ok, ""}, {{"steps", 3000LL}});
         } catch (const RunError&) {
           try {
-            part->finish({"ok", ""}, {});
+            part->finish({RunEnd::ok, ""}, {});
           } catch (const RunError&) {
             return 42;
           }
@@ -376,7 +377,7 @@ TEST(FullDisk, PartEitherWholeOrRunError) {
     ASSERT_TRUE(child.exited) << "limit " << limit << ", signal " << child.code;
     EXPECT_EQ(child.errors, "") << "limit " << limit;
     if (child.code == 0) {
-      EXPECT_EQ(statusOf(path).status, "ok");
+      EXPECT_EQ(nameOf(statusOf(path).end), "ok");
       EXPECT_EQ(salvagedRows(folder, run, path), 3000U) << "limit " << limit;
     } else {
       EXPECT_EQ(child.code, 42) << "limit " << limit;
@@ -393,7 +394,7 @@ TEST(FullDisk, ResultIsWholeOrTheOldOneStays) {
   writeSamplePart(part, run, "default");
   std::filesystem::create_directory(folder / "out");
   const auto path = folder / "out" / "sample.h5";
-  const std::vector<PartResult> parts = {{run.scenario.pipelines.at(1), part, {"ok", ""}}};
+  const std::vector<PartResult> parts = {{run.scenario.pipelines.at(1), part, {RunEnd::ok, ""}}};
   assembleResult(path, loadedSample(run), {{"version", "old"}}, parts);
   const auto whole = std::filesystem::file_size(path);
   std::size_t failures = 0;
@@ -436,7 +437,7 @@ TEST(FullDisk, FullFileSystemIsSaidInOneLine) {
   const ChildResult child = runInChild([&] {
     const auto part = openSamplePart(folder / "default.part", run, "default");
     appendSamples(*part, run);
-    part->finish({"ok", ""}, {});
+    part->finish({RunEnd::ok, ""}, {});
     return 0;
   });
   ::umount(folder.path().c_str());

@@ -20,7 +20,7 @@ std::vector<PartResult> writeParts(const TemporaryFolder& folder, const SampleRu
   for (const PipelineSettings& pipeline : run.scenario.pipelines) {
     const auto path = folder / (pipeline.name + ".part");
     writeSamplePart(path, run, pipeline.name);
-    parts.push_back({pipeline, path, {"ok", ""}});
+    parts.push_back({pipeline, path, {RunEnd::ok, ""}});
   }
   return parts;
 }
@@ -60,9 +60,9 @@ TEST(Result, ProvenanceSaysWhatTheWorkersWere) {
   for (const PipelineSettings& pipeline : run.scenario.pipelines) {
     const auto path = folder / (pipeline.name + ".part");
     const auto part = openSamplePart(path, run, pipeline.name);
-    part->finish({"ok", ""}, {{"provenance/gl_version", std::string("one")},
-                              {"provenance/engine_version", "engine of " + pipeline.name}});
-    parts.push_back({pipeline, path, {"ok", ""}});
+    part->finish({RunEnd::ok, ""}, {{"provenance/gl_version", std::string("one")},
+                                    {"provenance/engine_version", "engine of " + pipeline.name}});
+    parts.push_back({pipeline, path, {RunEnd::ok, ""}});
   }
   assembleResult(folder / "sample.h5", loadedSample(run), kProvenance, parts);
   const ResultInfo info = readResultInfo(folder / "sample.h5");
@@ -78,7 +78,7 @@ TEST(Result, InfoTellsWhatWasWritten) {
   const TemporaryFolder folder;
   const SampleRun run = makeSampleRun(6, true);
   std::vector<PartResult> parts = writeParts(folder, run);
-  parts[1].status = {"timeout", "after 3600 s"};
+  parts[1].status = {RunEnd::timeout, "after 3600 s"};
   const auto path = folder / "sample.h5";
   assembleResult(path, loadedSample(run), kProvenance, parts);
 
@@ -93,7 +93,7 @@ TEST(Result, InfoTellsWhatWasWritten) {
   EXPECT_EQ(info.pipelines[0].name, "paper_method");
   EXPECT_EQ(info.pipelines[0].pipeline, "fukuhara");
   EXPECT_NE(info.pipelines[0].description.find("node ray casting"), std::string::npos);
-  EXPECT_EQ(info.pipelines[1].status.status, "timeout");
+  EXPECT_EQ(nameOf(info.pipelines[1].status.end), "timeout");
   EXPECT_EQ(info.pipelines[1].status.detail, "after 3600 s");
   const Summary& summary = info.pipelines[0].summary;
   ASSERT_EQ(summary.size(), 4U);
@@ -193,13 +193,13 @@ TEST(Result, MissingOrDamagedPartLeavesItsStatusAlone) {
   std::vector<PartResult> parts = writeParts(folder, run);
   std::filesystem::resize_file(*parts[0].part, std::filesystem::file_size(*parts[0].part) / 2);
   parts[1].part.reset();
-  parts[1].status = {"crashed", "killed by signal 11"};
+  parts[1].status = {RunEnd::crashed, "killed by signal 11"};
   const auto path = folder / "sample.h5";
   assembleResult(path, loadedSample(run), kProvenance, parts);
   const ResultInfo info = readResultInfo(path);
-  EXPECT_EQ(info.pipelines[0].status.status, "failed");
+  EXPECT_EQ(nameOf(info.pipelines[0].status.end), "failed");
   EXPECT_NE(info.pipelines[0].status.detail.find("part file unreadable"), std::string::npos);
-  EXPECT_EQ(info.pipelines[1].status.status, "crashed");
+  EXPECT_EQ(nameOf(info.pipelines[1].status.end), "crashed");
   EXPECT_EQ(info.datasets.size(), 2U) << "the two texts of the scenario and nothing else";
 }
 

@@ -186,10 +186,10 @@ void appendSamples(RecordSink& sink, const SampleRun& run) {
 void writeSamplePart(const std::filesystem::path& path, const SampleRun& run, const std::string& pipeline) {
   const auto part = openSamplePart(path, run, pipeline);
   appendSamples(*part, run);
-  part->finish({"ok", ""}, {{"max_penetration_depth_m", 0.25},
-                            {"steps", 12LL},
-                            {"final_state_hash", std::string("abc")},
-                            {"timing/step_time_p99_us", 9.5}});
+  part->finish({RunEnd::ok, ""}, {{"max_penetration_depth_m", 0.25},
+                                  {"steps", 12LL},
+                                  {"final_state_hash", std::string("abc")},
+                                  {"timing/step_time_p99_us", 9.5}});
 }
 
 LoadedScenario loadedSample(const SampleRun& run) {

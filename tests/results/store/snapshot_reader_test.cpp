@@ -59,8 +59,8 @@ TEST(SnapshotReader, ARunWithoutSnapshotsIsEmpty) {
   const SampleRun run = makeSampleRun(5, false);
   writeSamplePart(folder / "a.part", run, "default");
   assembleResult(folder / "r.h5", loadedSample(run), {},
-                 {{run.scenario.pipelines[1], folder / "a.part", {"ok", ""}},
-                  {run.scenario.pipelines[0], std::nullopt, {"crashed", ""}}});
+                 {{run.scenario.pipelines[1], folder / "a.part", {RunEnd::ok, ""}},
+                  {run.scenario.pipelines[0], std::nullopt, {RunEnd::crashed, ""}}});
   for (const char* name : {"default", "paper_method"}) {
     const SnapshotReader reader(folder / "r.h5", name);
     EXPECT_TRUE(reader.times_s().empty());
@@ -74,7 +74,7 @@ TEST(SnapshotReader, WhatIsMissingIsNamed) {
   const SampleRun run = makeSampleRun(5, true);
   writeSamplePart(folder / "a.part", run, "default");
   assembleResult(folder / "r.h5", loadedSample(run), {},
-                 {{run.scenario.pipelines[1], folder / "a.part", {"ok", ""}}});
+                 {{run.scenario.pipelines[1], folder / "a.part", {RunEnd::ok, ""}}});
   const SnapshotReader reader(folder / "r.h5", "default");
   try {
     reader.at(0);

@@ -35,7 +35,7 @@ SweepRun sampleSweepRun(const SweepTableLayout& layout, std::size_t run) {
   SweepRun made;
   made.point = static_cast<long long>(run / 2);
   made.pipeline = run % 2 == 0 ? "default" : "full";
-  made.status = run % 7 == 3 ? "non_finite" : "ok";
+  made.end = run % 7 == 3 ? RunEnd::non_finite : RunEnd::ok;
   made.detail = run % 7 == 3 ? "at step " + std::to_string(run) + ", \"late\"\nor not" : "";
   made.file = "runs/größe " + std::to_string(run) + ".h5";
   made.values = {formatReal(100 * (static_cast<double>(made.point % 5) + 1)),

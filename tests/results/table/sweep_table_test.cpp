@@ -94,7 +94,7 @@ TEST(SweepTable, KeepsNumbersToTheLastBit) {
       std::numeric_limits<double>::quiet_NaN(), -0.0, 1.7976931348623157e308, 5e-324, 0.1,
       -std::numeric_limits<double>::infinity(), 1e22};
   SweepTableWriter writer(folder / "sweep.h5", smallLayout(values.size()));
-  for (const double value : values) writer.append({0, 0, "p", "ok", "", "", {"1e-3"}, {value}, {}});
+  for (const double value : values) writer.append({0, 0, "p", RunEnd::ok, "", "", {"1e-3"}, {value}, {}});
   writer.finish(false);
   const SweepTable table(folder / "sweep.h5");
   EXPECT_FALSE(table.complete());
@@ -117,8 +117,8 @@ TEST(SweepTable, CountsAreDigitsInCsv) {
   SweepTableLayout layout = smallLayout(2);
   layout.metrics = {{"rays"}, {"max_force_N"}};
   SweepTableWriter writer(folder / "sweep.h5", layout);
-  writer.append({100000, 2000000, "p", "ok", "", "", {"1e5"}, {3e15, 1e5}, {}});
-  writer.append({1, 0, "p", "ok", "", "", {"1e5"}, {0.5, -0.0}, {}});
+  writer.append({100000, 2000000, "p", RunEnd::ok, "", "", {"1e5"}, {3e15, 1e5}, {}});
+  writer.append({1, 0, "p", RunEnd::ok, "", "", {"1e5"}, {0.5, -0.0}, {}});
   writer.finish(true);
   writeSweepCsv(folder / "sweep.csv", SweepTable(folder / "sweep.h5"));
   EXPECT_EQ(textOf(folder / "sweep.csv"),
@@ -133,7 +133,7 @@ TEST(SweepTable, NumericAxesHaveTheUnitsOfTheirNames) {
   layout.axes = {{"stiffness_N_m", "tools.spatula.coupling.stiffness_N_m", true},
                  {"start_m", "tools.spatula.motion.start_m", false}};
   SweepTableWriter writer(folder / "sweep.h5", layout);
-  writer.append({0, 0, "p", "ok", "", "", {"3000", "[0, 0.062, 0]"}, {1}, {}});
+  writer.append({0, 0, "p", RunEnd::ok, "", "", {"3000", "[0, 0.062, 0]"}, {1}, {}});
   writer.finish(true);
   const std::string check = "/usr/bin/python3 -c \"import h5py; f = h5py.File('" +
                             (folder / "sweep.h5").string() +
@@ -187,16 +187,16 @@ std::string cubeOf(const SweepTableLayout& layout, const std::vector<SweepRun>& 
 
 TEST(SweepTable, CubesOfFewRunsAreSentences) {
   const double none = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(cubeOf(smallLayout(1), {{0, 0, "p", "ok", "", "", {"1"}, {0.25}, {}}}),
+  EXPECT_EQ(cubeOf(smallLayout(1), {{0, 0, "p", RunEnd::ok, "", "", {"1"}, {0.25}, {}}}),
             "max_force_N in N over run: 1\nall runs: 0.25 at run = 0\n");
-  EXPECT_EQ(cubeOf(smallLayout(2), {{0, 0, "p", "ok", "", "", {"1"}, {none}, {}},
-                                    {0, 0, "q", "ok", "", "", {"1"}, {0.25}, {}}}),
+  EXPECT_EQ(cubeOf(smallLayout(2), {{0, 0, "p", RunEnd::ok, "", "", {"1"}, {none}, {}},
+                                    {0, 0, "q", RunEnd::ok, "", "", {"1"}, {0.25}, {}}}),
             "max_force_N in N over pipeline: 2\np: no value\nq: 0.25 at the only point\n");
   SweepTableLayout bare = smallLayout(1);
   bare.metrics.clear();
-  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", "failed", "", "", {"1"}, {}, {}}}),
+  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", RunEnd::failed, "", "", {"1"}, {}, {}}}),
             "sweep.h5: no run has ended well\n");
-  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", "ok", "", "", {"1"}, {}, {}}}), "sweep.h5 has no max_force_N\n");
+  EXPECT_EQ(cubeOf(bare, {{0, 0, "p", RunEnd::ok, "", "", {"1"}, {}, {}}}), "sweep.h5 has no max_force_N\n");
 }
 
 // With other provenance, and on another day.
@@ -234,8 +234,8 @@ TEST(SweepTable, KeepsTheMeasuredCurve) {
 TEST(SweepTable, RefusesRowsThatDoNotFit) {
   const TemporaryFolder folder;
   SweepTableWriter writer(folder / "sweep.h5", smallLayout(2));
-  EXPECT_THROW(writer.append({0, 0, "p", "ok", "", "", {"1"}, {}, {}}), std::logic_error);
-  EXPECT_THROW(writer.append({0, 0, "p", "ok", "", "", {"one"}, {1}, {}}), std::logic_error);
+  EXPECT_THROW(writer.append({0, 0, "p", RunEnd::ok, "", "", {"1"}, {}, {}}), std::logic_error);
+  EXPECT_THROW(writer.append({0, 0, "p", RunEnd::ok, "", "", {"one"}, {1}, {}}), std::logic_error);
   EXPECT_THROW(writer.finish(true), std::logic_error);
   SweepTableLayout twice = smallLayout(1);
   twice.metrics.push_back({"k"});
@@ -305,6 +305,23 @@ TEST(SweepTable, SaysWhatIsWrongWithAFile) {
   writeSampleSweep(path, sampleSweep(3, 2));
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   EXPECT_NE(said().find("a damaged or truncated HDF5 file ("), std::string::npos) << said();
+}
+
+TEST(SweepTable, RefusesAnUnknownStatus) {
+  const TemporaryFolder folder;
+  const auto path = folder / "sweep.h5";
+  writeSampleSweep(path, sampleSweep(5, 2));
+  EXPECT_EQ(SweepTable(path).ends(),
+            (std::vector<RunEnd>{RunEnd::ok, RunEnd::ok, RunEnd::ok, RunEnd::non_finite, RunEnd::ok}));
+  const std::string melted =
+      "/usr/bin/python3 -c \"import h5py; h5py.File('" + path.string() + "', 'r+')['status'][1] = 'melted'\"";
+  ASSERT_EQ(std::system(melted.c_str()), 0);
+  const SweepTable table(path);
+  EXPECT_EQ(table.texts("status").at(1), "melted");
+  const std::string said = complaint([&] { table.ends(); });
+  EXPECT_EQ(said.find(path.string() + ": the status \"melted\" of a run is unknown, expected one of ok, "),
+            0U)
+      << said;
 }
 
 TEST(SweepNames, AreTheShortestEndsThatTellPathsApart) {

@@ -137,7 +137,7 @@ TEST_F(CoupledRun, AForceThatIsNoNumberEndsTheRunWithItsStatus) {
   std::vector<std::unique_ptr<Probe>> probes = makeProbes(scenario, run.scene());
   layout = declareLayout(probes);
   run.execute({.sink = seen, .probes = probes, .layout = layout, .make_frame_source = {}, .progress = {}});
-  EXPECT_EQ(seen.status.status, "non_finite");
+  EXPECT_EQ(nameOf(seen.status.end), "non_finite");
   EXPECT_NE(seen.status.detail.find("tool 0 is not finite"), std::string::npos) << seen.status.detail;
 }
 

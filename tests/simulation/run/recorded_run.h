@@ -75,7 +75,7 @@ class RecordedRun : public testing::Test {
     probes.push_back(std::move(states));
     layout = declareLayout(probes);
     run.execute({.sink = seen, .probes = probes, .layout = layout, .make_frame_source = {}, .progress = {}});
-    ASSERT_EQ(seen.status.status, "ok") << seen.status.detail;
+    ASSERT_EQ(nameOf(seen.status.end), "ok") << seen.status.detail;
     states_ = kept.states;
   }
 

@@ -108,7 +108,7 @@ class RunTest : public testing::Test {
 };
 
 TEST_F(RunTest, RowsAreTheInitialStateAndEveryStepAtStepTimesDt) {
-  EXPECT_EQ(execute().status, "ok");
+  EXPECT_EQ(nameOf(execute().end), "ok");
   ASSERT_EQ(sink.rows.size(), 16u) << "0.15 s / 0.01 s, and time zero";
   for (std::size_t i = 0; i < sink.rows.size(); ++i) {
     EXPECT_EQ(sink.rows[i][0], static_cast<double>(i) * 0.01);
@@ -179,10 +179,10 @@ TEST_F(RunTest, ANonFiniteStateEndsTheRunAndSaysWhenAndWhere) {
   scenario.bodies[0].solver.pressure = 1e200;  // blows the body up until squared lengths overflow
   scenario.world.max_displacement_m = 1e300;
   const RunStatus status = execute();
-  EXPECT_EQ(status.status, "non_finite");
+  EXPECT_EQ(nameOf(status.end), "non_finite");
   EXPECT_NE(status.detail.find("tissue vertex"), std::string::npos) << status.detail;
   EXPECT_NE(status.detail.find("step"), std::string::npos);
-  EXPECT_EQ(sink.status.status, "non_finite");
+  EXPECT_EQ(nameOf(sink.status.end), "non_finite");
   EXPECT_LT(sink.rows.size(), 16u);
   bool found = false;
   for (const SummaryValue& value : sink.summary) {
@@ -195,7 +195,7 @@ TEST_F(RunTest, ANonFiniteStateEndsTheRunAndSaysWhenAndWhere) {
 
 TEST_F(RunTest, ABodyTenKilometresAwayIsNoResult) {
   scenario.world.gravity_m_s2 = Vec3(0, -1e7, 0);
-  EXPECT_EQ(execute().status, "non_finite");
+  EXPECT_EQ(nameOf(execute().end), "non_finite");
   EXPECT_NE(sink.status.detail.find("10 km"), std::string::npos) << sink.status.detail;
 }
 

@@ -95,7 +95,7 @@ TEST_F(StoredPicturesTest, PanelsSideBySide) {
 
 // A run that crashed after its second snapshot: until then as ever, there its status, later faded.
 TEST_F(StoredPicturesTest, ARunThatEndedKeepsItsLastStateAndSaysHow) {
-  write({{"a"}, {"b", "crashed", 2}});
+  write({{"a"}, {"b", RunEnd::crashed, 2}});
   StoredPictures pictures = open();
   EXPECT_EQ(pictures.times_s().size(), 3u);
   EXPECT_EQ(panel(pictures.picture(0), 1).rgb, drawnByTheRun("b", 0).rgb);
@@ -116,7 +116,7 @@ TEST_F(StoredPicturesTest, ARunThatEndedKeepsItsLastStateAndSaysHow) {
 }
 
 TEST_F(StoredPicturesTest, ARunWithoutSnapshotsHasAnEmptyPanelThatSaysSo) {
-  write({{"a"}, {"b", "crashed", 0}});
+  write({{"a"}, {"b", RunEnd::crashed, 0}});
   const Image empty = panel(open().picture(0), 1);
   EXPECT_EQ(empty.rgb.front(), 255);
   EXPECT_LT(*std::min_element(empty.rgb.begin(), empty.rgb.end()), 100) << "text";

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
@@ -30,7 +31,7 @@ fs::path writeSample(const TemporaryFolder& folder, const SampleRun& run,
     }
     const fs::path part = folder / (entry.name + ".part");
     writeSamplePart(part, run, entry.name);
-    parts.push_back({entry, part, {"ok", ""}});
+    parts.push_back({entry, part, {RunEnd::ok, ""}});
   }
   assembleResult(folder / "sample.h5", loadedSample(run), {{"version", "1.2.3"}}, parts);
   return folder / "sample.h5";
@@ -112,7 +113,7 @@ TEST(PageData, FramesAreWebpPictures) {
 
 TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
   const TemporaryFolder folder;
-  const RunStatus crashed = {"crashed", "killed by signal 11 at step 3"};
+  const RunStatus crashed = {RunEnd::crashed, "killed by signal 11 at step 3"};
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true), crashed), "fissure test", "");
   ASSERT_FALSE(page["warnings"].empty());
   EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 steps is no number");
@@ -183,7 +184,7 @@ void writeNoisyPart(const fs::path& path, const Scenario& scenario, const Scene&
   image.rgb.resize(static_cast<std::size_t>(3 * image.width_px * image.height_px));
   for (std::uint8_t& byte : image.rgb) byte = static_cast<std::uint8_t>(next() >> 24);
   for (int frame = 0; frame < 26; ++frame) part->frame(0.2 * frame, image);
-  part->finish({"ok", ""}, {});
+  part->finish({RunEnd::ok, ""}, {});
 }
 
 // The numbers: four pipelines, 5,000 steps, below 2 MB. The time is only printed: machines differ.
@@ -199,7 +200,7 @@ TEST(PageData, FourNoisyRunsOf5000StepsStayBelow2MB) {
     run.scenario.pipelines[i].name = "run_" + std::to_string(i);
     const fs::path part = folder / (std::to_string(i) + ".part");
     writeNoisyPart(part, run.scenario, run.scene, i, 5001);
-    parts.push_back({run.scenario.pipelines[i], part, {"ok", ""}});
+    parts.push_back({run.scenario.pipelines[i], part, {RunEnd::ok, ""}});
   }
   assembleResult(folder / "a.h5", loadedSample(run), {}, parts);
   const auto start = std::chrono::steady_clock::now();

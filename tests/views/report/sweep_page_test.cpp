@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <nlohmann/json.hpp>
 #include <set>
 
 #include "base/error.h"
@@ -95,10 +96,11 @@ void writeFailing(const std::filesystem::path& path) {
   for (int run = 0; run < 20; ++run) {
     const int k = run / 2;
     const bool stiff = run % 2 == 1;
-    SweepRun row{k,           0, stiff ? "stiff" : "soft", "ok", "", "", {std::to_string(k), "differences"},
-                 {0.001 * k}, {}};
-    if (stiff && k >= 8) row.status = "non_finite", row.detail = "at step " + std::to_string(run);
-    if (run == 4) row.status = "missing", row.metrics = {missing};
+    SweepRun row{k,  0,  stiff ? "stiff" : "soft",           RunEnd::ok,
+                 "", "", {std::to_string(k), "differences"}, {0.001 * k},
+                 {}};
+    if (stiff && k >= 8) row.end = RunEnd::non_finite, row.detail = "at step " + std::to_string(run);
+    if (run == 4) row.end = RunEnd::missing, row.metrics = {missing};
     writer.append(row);
   }
   writer.finish(false);
@@ -132,7 +134,7 @@ PageJson placesOfTexts(const std::filesystem::path& path, int runs, const std::f
     writer.append({run,
                    0,
                    "soft",
-                   fail(run) ? "timeout" : "ok",
+                   fail(run) ? RunEnd::timeout : RunEnd::ok,
                    "",
                    "",
                    {"[0, " + std::to_string(10 + run) + "]"},
@@ -185,7 +187,7 @@ TEST(SweepPage, AxesHaveTheUnitsOfTheirNamesAndTextsNone) {
                  {"start_m", "tools.spatula.motion.start_m", false}};
   layout.runs = 1;
   SweepTableWriter writer(folder / "sweep.h5", layout);
-  writer.append({0, 0, "soft", "ok", "", "", {"3000", "[0, 0.062, 0]"}, {}, {}});
+  writer.append({0, 0, "soft", RunEnd::ok, "", "", {"3000", "[0, 0.062, 0]"}, {}, {}});
   writer.finish(true);
   const PageJson axes = sweepPage(folder / "sweep.h5", "").at("axes");
   EXPECT_EQ(axes[0].at("unit"), "N m-1");

@@ -93,7 +93,11 @@ SweepRun runOf(const SweepTableLayout& layout, std::size_t number, bool grid) {
   const bool hung = pipeline == 0 && number % 97 == 5;
   const bool crashed = pipeline == 2 && number / 3 % 2 == 1 && number % 5 == 2;
   const bool not_run = number % 211 == 7;
-  run.status = not_run ? "missing" : lost ? "non_finite" : hung ? "timeout" : crashed ? "crashed" : "ok";
+  run.end = not_run   ? RunEnd::missing
+            : lost    ? RunEnd::non_finite
+            : hung    ? RunEnd::timeout
+            : crashed ? RunEnd::crashed
+                      : RunEnd::ok;
   if (lost && !not_run) run.detail = "at step " + std::to_string(100 + number % 300) + ", t = 0.2 s";
   if (hung && !not_run) run.detail = "after 60 s at step " + std::to_string(number);
   if (crashed && !not_run) run.detail = "killed by signal 11 at step " + std::to_string(number);
@@ -147,7 +151,7 @@ int main(int count, char** words) {
   SweepTableWriter writer(words[1], written);
   for (std::size_t run = 0; run < layout.runs; ++run) {
     SweepRun row = runOf(layout, line ? 3 * run : run, grid);
-    if (failed || lost) row.status = "failed";
+    if (failed || lost) row.end = RunEnd::failed;
     if (failed) {
       row.detail = "before its first step";
       std::fill(row.metrics.begin(), row.metrics.end(), missing);

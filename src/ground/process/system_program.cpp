@@ -1,4 +1,4 @@
-#include "process/tool.h"
+#include "process/system_program.h"
 
 #include <poll.h>
 #include <sys/wait.h>
@@ -57,13 +57,13 @@ std::string lastLine(const std::string& text) {
 
 }  // namespace
 
-ToolOutcome runTool(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                    double most_s) {
+ProgramOutcome runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                          double most_s) {
   const std::string name = program.filename().string();
   const auto end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(most_s));
   SpawnedProcess process = spawn({.program = program, .arguments = arguments});
-  ToolOutcome outcome;
+  ProgramOutcome outcome;
   std::string errors;
   outcome.in_time = listenUntil(end, process, outcome.output, errors);
   if (!outcome.in_time) ::kill(process.process, SIGKILL);

@@ -1,0 +1,38 @@
+#include "base/error.h"
+
+namespace fissure {
+
+std::string Origin::beginning() const {
+  std::string place = file;
+  if (line > 0) place.append(":").append(std::to_string(line));
+  place += ": ";
+  switch (kind) {
+    case Kind::nowhere:
+      break;
+    case Kind::file:
+      return place;
+    case Kind::override:
+      return "--set " + path + ": ";
+    case Kind::axis:
+      return (file.empty() ? "" : place) + "axis " + path + ": ";
+  }
+  return "";
+}
+
+Origin inFile(const std::filesystem::path& file, int line) {
+  return {Origin::Kind::file, file.string(), line, ""};
+}
+
+Origin ofOverride(const std::string& path) {
+  return {Origin::Kind::override, "", 0, path};
+}
+
+Origin ofAxis(const std::string& path, const std::string& file, int line) {
+  return {Origin::Kind::axis, file, line, path};
+}
+
+bool InputError::isAbout(const std::filesystem::path& file) const {
+  return origin_.kind == Origin::Kind::file && origin_.line == 0 && origin_.file == file.string();
+}
+
+}  // namespace fissure
