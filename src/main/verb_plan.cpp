@@ -9,6 +9,7 @@
 #include "main/text_table.h"
 #include "main/verbs.h"
 #include "motion/motion.h"
+#include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
 #include "scene/fixed_vertices.h"
 #include "scene/place.h"
@@ -35,8 +36,9 @@ void printClamp(const ToolSettings& clamp) {
   const auto [left, right] = jawNames(clamp);
   std::cout << "    jaws " << left << " and " << right << (hinged ? ", hinged" : ", parallel");
   if (const auto* replay = std::get_if<ReplayMotion>(&clamp.motion))
-    std::cout << "; device axis " << replay->opening->axis << " opens them by up to "
-              << replay->opening->open() << (hinged ? " degrees" : " m") << ", the others move the clamp";
+    std::cout << "; device axis " << nameIn(catalog().device_axes, replay->opening->axis)
+              << " opens them by up to " << replay->opening->open() << (hinged ? " degrees" : " m")
+              << ", the others move the clamp";
   std::cout << "\n";
 }
 
@@ -72,9 +74,9 @@ void printScene(const CheckedScenario& checked) {
 
 /// Only the stages that this run has: what a scenario does not ask for costs nothing.
 void printRun(const Scenario& scenario, const RunPlan& plan) {
-  std::cout << "run " << plan.pipeline->name << " (" << plan.pipeline->pipeline << ", "
-            << plan.pipeline->precision << ", at most " << plan.pipeline->time_limit_s
-            << " s of wall time)\n";
+  std::cout << "run " << plan.pipeline->name << " (" << plan.pipeline->traits().name << ", "
+            << nameIn(catalog().precisions, plan.pipeline->precision) << ", at most "
+            << plan.pipeline->time_limit_s << " s of wall time)\n";
   if (plan.settling_steps > 0) std::cout << "  settle: " << plan.settling_steps << " steps\n";
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";

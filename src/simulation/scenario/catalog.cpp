@@ -1,21 +1,23 @@
 #include "scenario/catalog.h"
 
+#include "scenario/pipeline_table.h"
+
 namespace fissure {
+
+namespace {
+
+template <class Table>
+std::vector<CatalogEntry> entriesOf(const Table& table) {
+  std::vector<CatalogEntry> entries;
+  for (const auto& traits : table) entries.push_back({traits.name, traits.description});
+  return entries;
+}
+
+}  // namespace
 
 const Catalog& catalog() {
   static const Catalog tables{
-      .pipelines =
-          {{"default",
-            "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
-           {"null",
-            "(write it in quotes) default behind a detector of ours that only delegates; must equal default "
-            "bit for bit"},
-           {"cluster", "Bullet's own contact of clusters: pieces of tissue against the convex tool (GJK)"},
-           {"raycast",
-            "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
-           {"fukuhara", "the full method: node ray casting, infeasible pairs excluded, contacts as impulses"},
-           {"prescribed",
-            "reference without contact detection: tissue vertices that a box tool reaches stick to it"}},
+      .pipelines = entriesOf(pipeline_table),
       .force_laws = {{"hunt_crossley", "F = k x^n + lambda x^n x', never pulling (Hunt and Crossley 1975)"},
                      {"kelvin_voigt", "F = k x + c x', a spring and a damper side by side, never pulling"},
                      {"linear_elastic", "F = k x, the default model that the paper replaced"}},
@@ -73,6 +75,9 @@ const Catalog& catalog() {
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}, {"cm", "centimetres"}},
       .log_layouts = {{"rows", "a header line of names, then one line a sample"},
                       {"axes", "no header: a line of all x, one of all y, one of all z"}},
+      .device_axes = {{"x", "the log's first coordinate"},
+                      {"y", "the log's second coordinate"},
+                      {"z", "the log's third coordinate"}},
       .device_frames = {{"scene", "the device's axes are the scene's, or as `axes` says"},
                         {"novint", "Falcon by its own driver: x right, y up, z to the operator"},
                         {"chai3d", "Falcon by CHAI3D: x to the operator, y right, z up"}},

@@ -66,11 +66,13 @@ void describe(Io& io, PipelineSettings& p) {
   io.nameOr("name", p.name, "pipeline");
   io.requiredChoice("pipeline", p.pipeline, catalog().pipelines);
   io.choice("precision", p.precision, catalog().precisions);
+  using enum ContactDetection;
   const bool rays = p.usesNodes();
-  const bool bullet = p.usesSdf() || p.usesClusters();
-  const char* sdf_only = "pipelines default and null";
-  const char* rays_only = "pipelines raycast and fukuhara";
-  io.choiceIf(bullet, "pipelines default, null and cluster", "settings", p.settings, catalog().settings);
+  const std::string with_bullet = pipelinesWith({sdf, clusters}), with_sdf = pipelinesWith({sdf}),
+                    with_rays = pipelinesWith({nodes});
+  const char *sdf_only = with_sdf.c_str(), *rays_only = with_rays.c_str();
+  io.choiceIf(p.usesSdf() || p.usesClusters(), with_bullet.c_str(), "settings", p.settings,
+              catalog().settings);
   io.fieldIf(p.usesSdf(), sdf_only, "sdf_voxel_m", p.sdf_voxel_m);
   io.fieldIf(p.usesSdf(), sdf_only, "kinematic_hardness", p.kinematic_hardness);
   io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);

@@ -29,7 +29,7 @@ void describe(Io& io, ClampSettings& c) {
 
 template <class Io>
 void describe(Io& io, DeviceOpening& o) {
-  io.required("axis", o.axis);
+  io.requiredChoice("axis", o.axis, catalog().device_axes, "an axis of the device: x, y or z");
   io.required("closed_device_m", o.closed_device_m);
   io.required("open_device_m", o.open_device_m);
   io.field("open_m", o.open_m);

@@ -11,7 +11,7 @@ namespace fissure {
 template <class Io>
 void describe(Io& io, NodeSettings& n) {
   io.choice("placement", n.placement, catalog().node_placements);
-  const bool grid = n.placement == "grid";
+  const bool grid = n.placement == NodePlacement::grid;
   io.fieldIf(grid, "placement grid", "resolution", n.resolution);
   io.fieldIf(grid, "placement grid", "narrow_rows", n.narrow_rows);
   io.fieldIf(!grid, "placement centroids", "max_spacing_m", n.max_spacing_m);

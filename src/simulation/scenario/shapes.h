@@ -43,6 +43,16 @@ constexpr double metres(LengthUnit unit) {
   return unit == LengthUnit::m ? 1.0 : unit == LengthUnit::cm ? 1e-2 : 1e-3;
 }
 
+/// A repair of a mesh from a file, in the order in which repairs are done.
+enum class MeshRepair {
+  drop_degenerate,       ///< triangles without area
+  drop_duplicate_faces,  ///< all but one of the triangles with the same three corners
+  keep_largest_shell,    ///< of pieces that share no vertex, the one of the largest area stays
+  drop_unreferenced,     ///< vertices that are part of no triangle
+  orient,                ///< neighbours made to agree; closed shells turned outward, cavities inward
+  cap_holes,             ///< each boundary loop closed by a fan around its middle
+};
+
 /// A triangle surface from a file: STL, OBJ, PLY or OFF.
 struct FileShape {
   std::string file;  ///< relative to the scenario's directory; its ending says the format
@@ -50,9 +60,9 @@ struct FileShape {
   LengthUnit unit = LengthUnit::m;
   /// Vertices no farther apart become one, >= 0; 0: only equal ones, which STL writes for each triangle anew.
   double weld_tolerance_m = 0.0;
-  /// Names in catalog().mesh_repairs. They are done in the catalog's order, and only those; what they changed
-  /// is in the result's summary.
-  std::vector<std::string> repairs;
+  /// Each once. They are done in the order of MeshRepair, and only those; what they changed is in the
+  /// result's summary.
+  std::vector<MeshRepair> repairs;
   /// Triangles are split until no edge is longer, > 0; default: as in the file.
   std::optional<double> max_edge_m;
 

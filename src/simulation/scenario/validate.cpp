@@ -89,7 +89,7 @@ void checkSizes(Checker check, const Scenario& scenario) {
       "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
   double nodes = 0;
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
-    if (tool.nodePlacement() == "grid") nodes += tool.nodes.gridCount();
+    if (tool.nodePlacement() == NodePlacement::grid) nodes += tool.nodes.gridCount();
   }
   check.require(nodes <= max_nodes, "tools",
                 "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));
@@ -126,8 +126,7 @@ void checkAmounts(Checker check, const Scenario& scenario, std::optional<double>
 void checkFriction(Checker check, const Scenario& scenario) {
   for (const ToolSettings& tool : scenario.tools) {
     for (const PipelineSettings& entry : scenario.pipelines) {
-      const bool rubs = !entry.usesNodes() || entry.contactResponse() == "momentum";
-      check.require(tool.friction == 0 || rubs, tool.name + ".friction",
+      check.require(tool.friction == 0 || entry.hasFriction(), tool.name + ".friction",
                     "is " + formatReal(tool.friction) + ", but run " + entry.name +
                         " has response none and with it no force to rub with, expected 0 or pipelines." +
                         entry.name + ".response momentum");

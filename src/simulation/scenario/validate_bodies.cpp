@@ -4,7 +4,6 @@
 #include <string>
 #include <type_traits>
 
-#include "scenario/catalog.h"
 #include "scenario/checker.h"
 #include "text/scalars.h"
 
@@ -64,12 +63,10 @@ void checkAlternative(Checker check, const TrianglesShape& triangles) {
 void checkAlternative(Checker check, const FileShape& shape) {
   check.require(!shape.file.empty(), "file", "is empty, expected the name of a mesh file");
   check.notNegative("weld_tolerance_m", shape.weld_tolerance_m);
-  std::set<std::string> seen;
-  for (std::size_t i = 0; i < shape.repairs.size(); ++i) {
-    const std::string key = "repairs." + std::to_string(i);
-    check.oneOf(key, shape.repairs[i], catalog().mesh_repairs);
-    check.require(seen.insert(shape.repairs[i]).second, key, "is named twice, expected each repair once");
-  }
+  std::set<MeshRepair> seen;
+  for (std::size_t i = 0; i < shape.repairs.size(); ++i)
+    check.require(seen.insert(shape.repairs[i]).second, "repairs." + std::to_string(i),
+                  "is named twice, expected each repair once");
   if (shape.max_edge_m) check.positive("max_edge_m", *shape.max_edge_m);
 }
 
@@ -102,7 +99,6 @@ void checkSolver(Checker check, const SolverSettings& s) {
   check.between("velocity_iterations", s.velocity_iterations, 0, 1000);
   check.between("position_iterations", s.position_iterations, 1, 1000);
   check.between("drift_iterations", s.drift_iterations, 0, 1000);
-  check.oneOf("aero_model", s.aero_model, catalog().aero_models);
 }
 
 void checkClusters(Checker check, const ClusterSettings& c) {
@@ -158,7 +154,6 @@ void checkBody(Checker check, const BodySettings& body) {
   material.between("linear_stiffness", body.material.linear_stiffness, 0, 1);
   material.between("angular_stiffness", body.material.angular_stiffness, 0, 1);
   material.between("volume_stiffness", body.material.volume_stiffness, 0, 1);
-  check.oneOf("soft_contact", body.soft_contact, catalog().soft_contacts);
   for (std::size_t i = 0; i < body.fixed.size(); ++i)
     checkFixed(check.in("fixed." + std::to_string(i)), body.fixed[i]);
   checkSolver(check.in("solver"), body.solver);

@@ -3,7 +3,6 @@
 #include <set>
 #include <string>
 
-#include "scenario/catalog.h"
 #include "scenario/checker.h"
 
 namespace fissure {
@@ -117,11 +116,10 @@ double scriptDuration(const ScriptMotion& motion) {
 void checkTool(Checker check, const ToolSettings& tool) {
   checkShape(check.in("shape"), tool.shape);
   Checker nodes = check.in("nodes");
-  const std::string placement = tool.nodePlacement();
-  nodes.oneOf("placement", placement, catalog().node_placements);
   const bool left_box =
       !tool.clamp || !tool.clamp->left_jaw || std::holds_alternative<BoxShape>(tool.clamp->left_jaw->shape);
-  nodes.require(placement != "grid" || (std::holds_alternative<BoxShape>(tool.shape) && left_box),
+  nodes.require(tool.nodePlacement() != NodePlacement::grid ||
+                    (std::holds_alternative<BoxShape>(tool.shape) && left_box),
                 "placement", "is grid, expected centroids: only a box has large faces for a grid");
   for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
   nodes.between("narrow_rows", tool.nodes.narrow_rows, 0, 512);

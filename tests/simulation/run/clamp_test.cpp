@@ -33,7 +33,7 @@ class ClampRun : public RecordedRun {
     scenario.tools = {tool};
     scenario.world.gravity_m_s2 = Vec3::Zero();
     scenario.force = {{.name = "hc", .model = "hunt_crossley", .deformation = "corotated"}};
-    scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
+    scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 
   ClampSettings& clamp() { return *scenario.tools[0].clamp; }
@@ -176,7 +176,8 @@ TEST_F(ClampRun, RecordsEachJawAndTheResultant) {
 }
 
 TEST_F(ClampRun, BulletDoesNotSayTheReactionsOfJaws) {
-  scenario.pipelines = {{.name = "default", .pipeline = "default", .settings = "tuned"}};
+  scenario.pipelines = {
+      {.name = "default", .pipeline = PipelineKind::default_sdf, .settings = SettingsPreset::tuned}};
   execute();
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("clamp_reaction")->first_column]));
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("tool_reaction")->first_column]));

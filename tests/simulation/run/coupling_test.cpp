@@ -30,7 +30,7 @@ class CoupledRun : public RecordedRun {
     scenario.tools = {tool};
     scenario.force = {{.name = "other", .model = "linear_elastic", .k = 10},
                       {.name = "felt", .model = "hunt_crossley", .k = 200, .lambda = 50}};
-    scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
+    scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 
   std::size_t column(const char* series) const { return layout.find(series)->first_column; }

@@ -58,10 +58,11 @@ class NumberKeys {
   template <class T>
   void choice(const char*, T&, const std::vector<CatalogEntry>&) {}
   template <class T>
-  void requiredChoice(const char*, T&, const std::vector<CatalogEntry>&) {}
+  void requiredChoice(const char*, T&, const std::vector<CatalogEntry>&, const char* = nullptr) {}
   template <class T>
   void choiceIf(bool, const char*, const char*, T&, const std::vector<CatalogEntry>&) {}
-  void choices(const char*, std::vector<std::string>&, const std::vector<CatalogEntry>&) {}
+  template <class T>
+  void choices(const char*, std::vector<T>&, const std::vector<CatalogEntry>&) {}
   template <class Fill>
   void whileReading(Fill) {}
   void nameOr(const char*, std::string&, const char*) {}

@@ -139,7 +139,7 @@ TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {
     const Scenario s =
         parseScenario(smallest_text, "a.yaml", {{"pipelines", "[{pipeline: " + quoted + "}]"}}).scenario;
     EXPECT_EQ(s.pipelines.at(0).name, entry.name);
-    EXPECT_EQ(s.pipelines.at(0).pipeline, entry.name);
+    EXPECT_EQ(s.pipelines.at(0).traits().name, entry.name);
   }
   for (const CatalogEntry& entry : catalog().force_laws) {
     const std::string law = "[{model: " + std::string(entry.name) + "}]";
@@ -149,37 +149,37 @@ TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {
 
 TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
   PipelineSettings p;
-  p.pipeline = "default";
+  p.pipeline = PipelineKind::default_sdf;
   EXPECT_EQ(p.sdfVoxel_m(), 0.25);
   EXPECT_EQ(p.kinematicHardness(), 0.1);
-  p.settings = "tuned";
+  p.settings = SettingsPreset::tuned;
   EXPECT_EQ(p.sdfVoxel_m(), 0.0005);
   EXPECT_EQ(p.kinematicHardness(), 1.0);
   p.sdf_voxel_m = 0.01;
   EXPECT_EQ(p.sdfVoxel_m(), 0.01);
   EXPECT_FALSE(p.usesNodes());
   EXPECT_TRUE(p.usesSdf());
-  for (const char* name : {"raycast", "fukuhara"}) {
-    p.pipeline = name;
+  for (const PipelineKind rays : {PipelineKind::raycast, PipelineKind::fukuhara}) {
+    p.pipeline = rays;
     EXPECT_TRUE(p.usesNodes());
     EXPECT_FALSE(p.usesSdf());
   }
-  p.pipeline = "prescribed";
+  p.pipeline = PipelineKind::prescribed;
   EXPECT_FALSE(p.usesNodes());
   EXPECT_FALSE(p.usesSdf());
 }
 
 TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
   PipelineSettings p;
-  p.pipeline = "fukuhara";
-  EXPECT_EQ(p.contactResponse(), "momentum");
-  p.response = "none";
-  EXPECT_EQ(p.contactResponse(), "none");
+  p.pipeline = PipelineKind::fukuhara;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::momentum);
+  p.response = ContactResponse::none;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::none);
   p.response.reset();
-  p.pipeline = "raycast";
-  EXPECT_EQ(p.contactResponse(), "none");
+  p.pipeline = PipelineKind::raycast;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::none);
   p.fillDefaults();
-  EXPECT_EQ(p.response, "none") << "a stored scenario says it";
+  EXPECT_EQ(p.response, ContactResponse::none) << "a stored scenario says it";
 }
 
 }  // namespace
