@@ -59,7 +59,7 @@ void printScene(const CheckedScenario& checked) {
     std::cout << (tool.clamp ? "  clamp " : "  tool ") << tool.name << ": ";
     if (!std::holds_alternative<BoxShape>(tool.shape))
       std::cout << makeSurface(tool.shape, scenario.directory).faces.size() << " triangles, ";
-    std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
+    std::cout << std::visit([](const auto& motion) { return motion.text.in_plan; }, tool.motion);
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     if (tool.coupling)
       std::cout << ", " << tool.coupling->mass_kg << " kg on a virtual coupling, pushed by "

@@ -1,6 +1,10 @@
 #include "scenario/catalog.h"
 
+#include <variant>
+
+#include "scenario/motions.h"
 #include "scenario/pipeline_table.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 
@@ -11,6 +15,12 @@ std::vector<CatalogEntry> entriesOf(const Table& table) {
   std::vector<CatalogEntry> entries;
   for (const auto& traits : table) entries.push_back({traits.name, traits.description});
   return entries;
+}
+
+/// The names of a variant's alternatives, in its order, each with the line of its text that `line` names.
+template <class... Ts, class Text>
+std::vector<CatalogEntry> entriesOf(const std::variant<Ts...>&, std::string_view Text::*line) {
+  return {{Ts::text.name, Ts::text.*line}...};
 }
 
 }  // namespace
@@ -29,23 +39,13 @@ const Catalog& catalog() {
            {"meat_4", "k 7.38e3, n 1.70, F0 0.039 N to 3 mm: meat, region 4 (101 probes)"},
            {"phantom_balls", "k 2.54e3, n 1.45, F0 0.113 N to 3 mm: phantom with small balls (100 probes)"},
            {"phantom_silicone", "k 2.88e3, n 1.30, F0 0.119 N to 3 mm: silicone phantom (728 probes)"}},
-      .body_shapes = {{"sphere", "subdivided octahedron, 8 x 4^subdivisions triangles"},
-                      {"box", "12 triangles, full edge lengths"},
-                      {"triangles", "a closed surface from plain arrays"},
-                      {"file", "a closed surface from an STL, OBJ, PLY or OFF file, in a stated unit"},
-                      {"capsule", "a cylinder with round ends along x; 4 x 2^subdivisions vertices around"},
-                      {"lobes", "half an ellipsoid parted by a slit, mirror-symmetric: a fissure"}},
-      .tool_shapes = {{"sphere", "subdivided octahedron, as a body's"},
-                      {"box", "full edge lengths"},
-                      {"triangles", "a surface from plain arrays"},
-                      {"file", "a surface from an STL, OBJ, PLY or OFF file, in a stated unit"},
-                      {"capsule", "a cylinder with round ends along x, as a body's"},
-                      {"lobes", "as a body's"}},
+      .body_shapes = entriesOf(SurfaceShape(), &ShapeText::as_body),
+      .tool_shapes = entriesOf(SurfaceShape(), &ShapeText::as_tool),
       .clamp_openings = {{"parallel", "both jaws slide apart; openings in metres"},
                          {"hinged", "both jaws turn about one axis; openings in degrees"}},
       .node_placements = {{"grid", "on both large faces of a box, facing nodes are partners (Fukuhara)"},
                           {"centroids", "one in each triangle, its partner in the triangle behind it"}},
-      .motions = {{"script", "waypoints and holds"}, {"replay", "a recorded hand motion from a text file"}},
+      .motions = entriesOf(ToolMotion(), &MotionText::description),
       .timings = {{"constant", "constant speed"},
                   {"trapezoidal", "constant acceleration, cruise, constant deceleration"},
                   {"minimum_jerk", "10 s^3 - 15 s^4 + 6 s^5"}},

@@ -71,7 +71,7 @@ struct ToolSettings {
   /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
   std::optional<double> force_limit_N;
   std::optional<CouplingSettings> coupling;  ///< default: none, the tool is where its motion says
-  std::variant<ScriptMotion, ReplayMotion> motion;
+  ToolMotion motion;
 
   NodePlacement nodePlacement() const {
     const bool box = std::holds_alternative<BoxShape>(shape);

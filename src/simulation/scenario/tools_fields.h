@@ -1,12 +1,14 @@
 #pragma once
 
 #include "scenario/catalog.h"
-#include "scenario/fields_clamps.h"
+#include "scenario/clamps_fields.h"
+#include "scenario/motions_fields.h"
+#include "scenario/shapes_fields.h"
 #include "scenario/tools.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: tools.
+// The keys of a tool (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, NodeSettings& n) {

@@ -2,10 +2,11 @@
 
 #include "scenario/catalog.h"
 #include "scenario/clamps.h"
+#include "scenario/shapes_fields.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: clamps.
+// The keys of a clamp (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, ClampPart& p) {
