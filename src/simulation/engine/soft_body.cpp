@@ -84,6 +84,12 @@ int collisionFlags(const BodySettings& settings, const PipelineSettings& pipelin
   return rigid;
 }
 
+// AeroModel has Bullet's values.
+static_assert(static_cast<int>(AeroModel::V_Point) == btSoftBody::eAeroModel::V_Point);
+static_assert(static_cast<int>(AeroModel::V_OneSided) == btSoftBody::eAeroModel::V_OneSided);
+static_assert(static_cast<int>(AeroModel::F_TwoSided) == btSoftBody::eAeroModel::F_TwoSided);
+static_assert(static_cast<int>(AeroModel::F_OneSided) == btSoftBody::eAeroModel::F_OneSided);
+
 void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
                          double kinematic_hardness) {
   config.aeromodel = static_cast<btSoftBody::eAeroModel::_>(solver.aero_model);
