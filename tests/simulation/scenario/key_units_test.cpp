@@ -25,7 +25,7 @@ struct IsList<std::vector<T>> : std::true_type {};
 template <class T, std::size_t N>
 struct IsList<std::array<T, N>> : std::true_type {};
 
-/// Collects the keys of all numbers, whether or not they apply: an Io of scenario/fields_shapes.h.
+/// Collects the keys of all numbers, whether or not they apply: an Io of scenario/fields.h.
 class NumberKeys {
  public:
   const std::set<std::string>& keys() const { return keys_; }
