@@ -15,6 +15,7 @@
 #include "measure/probes.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
+#include "scenario/catalog.h"
 #include "scenario/load.h"
 #include "store/part_file.h"
 #include "task/run_recorder.h"
@@ -48,8 +49,9 @@ class ProgressLines {
 
 void checkPrecision(const PipelineSettings& pipeline) {
   if (pipeline.precision != enginePrecision())
-    throw InputError("the entry '" + pipeline.name + "' wants precision " + pipeline.precision +
-                     ", this worker is " + enginePrecision());
+    throw InputError("the entry '" + pipeline.name + "' wants precision " +
+                     nameIn(catalog().precisions, pipeline.precision) + ", this worker is " +
+                     nameIn(catalog().precisions, enginePrecision()));
 }
 
 /// One run into whatever `make_sink` makes from its layout.

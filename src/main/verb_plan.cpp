@@ -9,6 +9,7 @@
 #include "main/text_table.h"
 #include "main/verbs.h"
 #include "motion/motion.h"
+#include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
 
 namespace fissure {
@@ -33,8 +34,9 @@ void printClamp(const ToolSettings& clamp) {
   const auto [left, right] = jawNames(clamp);
   std::cout << "    jaws " << left << " and " << right << (hinged ? ", hinged" : ", parallel");
   if (const auto* replay = std::get_if<ReplayMotion>(&clamp.motion))
-    std::cout << "; device axis " << replay->opening->axis << " opens them by up to "
-              << replay->opening->open() << (hinged ? " degrees" : " m") << ", the others move the clamp";
+    std::cout << "; device axis " << nameIn(catalog().device_axes, replay->opening->axis)
+              << " opens them by up to " << replay->opening->open() << (hinged ? " degrees" : " m")
+              << ", the others move the clamp";
   std::cout << "\n";
 }
 
@@ -59,7 +61,7 @@ void printScene(const CheckedScenario& checked) {
     if (!std::holds_alternative<BoxShape>(tool.shape))
       std::cout << scene.tools[rigid].surface.faces.size() << " triangles, ";
     ++rigid;
-    std::cout << (std::holds_alternative<ReplayMotion>(tool.motion) ? "replayed motion" : "scripted motion");
+    std::cout << std::visit([](const auto& motion) { return motion.text.in_plan; }, tool.motion);
     if (tool.force_limit_N) std::cout << ", device limit " << *tool.force_limit_N << " N";
     if (tool.coupling)
       std::cout << ", " << tool.coupling->mass_kg << " kg on a virtual coupling, pushed by "
@@ -74,9 +76,9 @@ void printScene(const CheckedScenario& checked) {
 
 /// Only the stages that this run has: what a scenario does not ask for costs nothing.
 void printRun(const Scenario& scenario, const RunPlan& plan) {
-  std::cout << "run " << plan.pipeline->name << " (" << plan.pipeline->pipeline << ", "
-            << plan.pipeline->precision << ", at most " << plan.pipeline->time_limit_s
-            << " s of wall time)\n";
+  std::cout << "run " << plan.pipeline->name << " (" << plan.pipeline->traits().name << ", "
+            << nameIn(catalog().precisions, plan.pipeline->precision) << ", at most "
+            << plan.pipeline->time_limit_s << " s of wall time)\n";
   if (plan.settling_steps > 0) std::cout << "  settle: " << plan.settling_steps << " steps\n";
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";

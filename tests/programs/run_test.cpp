@@ -7,6 +7,8 @@
 #include <sstream>
 
 #include "program.h"
+#include "scenario/catalog.h"
+#include "scenario/pipeline_table.h"
 #include "scenarios.h"
 #include "store/read_series.h"
 #include "store/result_file.h"
@@ -93,6 +95,36 @@ TEST(Run, PrecisionIsAFieldOfAnEntry) {
   for (std::size_t i = 0; i < exact.size(); ++i) largest = std::max(largest, std::abs(exact[i] - rounded[i]));
   EXPECT_GT(largest, 1e-12) << "the same numbers: not another precision";
   EXPECT_LT(largest, 1e-3);
+}
+
+// Each entry of the table, by the worker of each precision.
+TEST(Run, BothEnginesHaveEveryPipelineAndStoreItsDescription) {
+  const Folder folder;
+  std::string entries;
+  std::vector<const PipelineTraits*> expected;
+  for (const CatalogEntry& precision : catalog().precisions) {
+    for (const PipelineTraits& pipeline : pipeline_table) {
+      const std::string name = std::string(pipeline.name) + "_" + std::string(precision.name);
+      entries += (entries.empty() ? "" : ", ") + ("{name: " + name) + ", pipeline: \"" +
+                 std::string(pipeline.name) + "\", precision: " + std::string(precision.name) + "}";
+      expected.push_back(&pipeline);
+    }
+  }
+  folder.write("s.yaml", pressScenario("[" + entries + "]", "0.005"));
+  const Outcome plan = runFissure(folder, {"plan", "s.yaml"});
+  const Outcome run = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  EXPECT_EQ(run.code, 0) << run.out << run.err;
+  const ResultInfo info = readResultInfo(folder / "out.h5");
+  ASSERT_EQ(info.pipelines.size(), expected.size());
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    const PipelineResult& result = info.pipelines[i];
+    EXPECT_EQ(result.pipeline, expected[i]->name);
+    EXPECT_EQ(result.description, expected[i]->description);
+    EXPECT_EQ(result.precision, catalog().precisions[i / pipeline_table.size()].name);
+    const std::string planned =
+        "run " + result.name + " (" + result.pipeline + ", " + result.precision + ", at most";
+    EXPECT_NE(plan.out.find(planned), std::string::npos) << planned << "\n" << plan.out;
+  }
 }
 
 TEST(Run, ProvenanceNamesTheRendererOfFrames) {

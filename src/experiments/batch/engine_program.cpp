@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "base/error.h"
+#include "scenario/catalog.h"
 
 namespace fissure {
 
@@ -20,7 +21,7 @@ std::filesystem::path engineProgram(const std::string& precision) {
 }
 
 WorkerTask engineTask(const EngineRun& run) {
-  return {engineProgram(run.pipeline.precision),
+  return {engineProgram(nameIn(catalog().precisions, run.pipeline.precision)),
           {"--scenario", run.scenario.string(), "--directory", run.directory.string(), "--pipeline",
            run.pipeline.name, "--part", run.part.string()},
           run.pipeline.time_limit_s};

@@ -160,17 +160,25 @@ void checkBodies(CheckedScenario& checked, const SurfaceFiles& files) {
 void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
   const bool convex = tool.closed && isConvex(tool.surface);
   for (const PipelineSettings& entry : checked.loaded.scenario.pipelines) {
-    const auto refuse = [&](const char* what, const char* needs, const char* expected) {
-      throw InputError(inFile(checked.file), "tools." + tool.name + ".shape " + what + ", and run " +
-                                                 entry.name + " (pipeline " + entry.pipeline + ") needs " +
-                                                 needs + ", expected " + expected);
+    const auto refuse = [&](const char* what, const char* needs, const std::string& expected) {
+      throw InputError(inFile(checked.file),
+                       "tools." + tool.name + ".shape " + what + ", and run " + entry.name + " (pipeline " +
+                           std::string(entry.traits().name) + ") needs " + needs + ", expected " + expected);
     };
-    if ((entry.usesSdf() || entry.usesClusters()) && !convex)
-      refuse("is not convex and closed", "that", "pipelines raycast and fukuhara alone");
-    if (entry.pipeline == "prescribed" && !tool.box_size_m) refuse("is no box", "one", "another pipeline");
-    if (entry.usesNodes() && tool.nodes.size() == 0)
-      refuse("gives no triangle a node (no ray back into it leaves it again)", "nodes",
-             "outward faces on both its sides, or nodes.lone_nodes");
+    switch (entry.traits().need) {
+      case ToolNeed::convex_and_closed:
+        if (!convex)
+          refuse("is not convex and closed", "that", pipelinesWith({ContactDetection::nodes}) + " alone");
+        break;
+      case ToolNeed::box:
+        if (!tool.box_size_m) refuse("is no box", "one", "another pipeline");
+        break;
+      case ToolNeed::nodes:
+        if (tool.nodes.size() == 0)
+          refuse("gives no triangle a node (no ray back into it leaves it again)", "nodes",
+                 "outward faces on both its sides, or nodes.lone_nodes");
+        break;
+    }
   }
 }
 

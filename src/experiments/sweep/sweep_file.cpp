@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/error.h"
-#include "scenario/read_map.h"
+#include "scenario/read_nested.h"
 #include "scenario/scenario.h"
 #include "text/scalars.h"
 #include "text/text_file.h"

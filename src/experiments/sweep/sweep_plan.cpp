@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "base/hash.h"
+#include "scenario/catalog.h"
 #include "scenario/compose.h"
 #include "text/scalars.h"
 
@@ -233,7 +234,7 @@ std::string SweepPlan::precision(const SweepTask& task) const {
     if (axes_[a].only_entry == manifest_.pipelines[task.entry] &&
         manifest_.points.paths()[a].ends_with(".precision"))
       return manifest_.points.value(task.point, a);
-  return entry(task.entry).precision;
+  return nameIn(catalog().precisions, entry(task.entry).precision);
 }
 
 }  // namespace fissure

@@ -12,6 +12,7 @@
 #include "check/scenario_input.h"
 #include "files/temporary_file.h"
 #include "process/line_splitter.h"
+#include "scenario/catalog.h"
 #include "scenario/compose.h"
 #include "sweep/sweep_misfit.h"
 #include "sweep/sweep_plan.h"
@@ -142,7 +143,8 @@ class Planner {
  private:
   void addEngines() {
     std::set<std::string> precisions;
-    for (const PipelineSettings& entry : base_.scenario.pipelines) precisions.insert(entry.precision);
+    for (const PipelineSettings& entry : base_.scenario.pipelines)
+      precisions.insert(nameIn(catalog().precisions, entry.precision));
     const std::vector<std::string>& paths = manifest_.points.paths();
     if (std::any_of(paths.begin(), paths.end(),
                     [](const std::string& p) { return p.ends_with(".precision"); }))

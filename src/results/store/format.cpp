@@ -7,13 +7,9 @@
 namespace fissure {
 
 void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunStatus& status) {
-  std::string description;
-  for (const CatalogEntry& entry : catalog().pipelines) {
-    if (entry.name == pipeline.pipeline) description = entry.description;
-  }
-  h5::setAttribute(group, "pipeline", pipeline.pipeline);
-  h5::setAttribute(group, "description", description);
-  h5::setAttribute(group, "precision", pipeline.precision);
+  h5::setAttribute(group, "pipeline", std::string(pipeline.traits().name));
+  h5::setAttribute(group, "description", std::string(pipeline.traits().description));
+  h5::setAttribute(group, "precision", nameIn(catalog().precisions, pipeline.precision));
   h5::setAttribute(group, "status", nameOf(status.end));
   h5::setAttribute(group, "status_detail", status.detail);
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "base/contact_response.h"
 #include "base/scene.h"
 #include "base/stage_times.h"
 #include "base/state.h"
@@ -18,12 +19,6 @@
 #include "contact/vertex_sides.h"
 
 namespace fissure {
-
-/// What contacts do to the tissue's momentum.
-enum class ContactResponse {
-  none,      ///< nothing: tissue is displaced (the paper)
-  momentum,  ///< velocities follow the displacement (ContactImpulses)
-};
 
 struct NodeContactSettings {
   bool association = true;  ///< false: ray casting only, step one without step two (paper, Fig. 3 right)

@@ -9,11 +9,9 @@ namespace fissure {
 namespace {
 
 NodeContactSettings contactSettings(const PipelineContext& context) {
-  NodeContactSettings settings{.association = context.settings.pipeline != "raycast",
+  NodeContactSettings settings{.association = context.settings.traits().association,
                                .vertex_contacts = context.settings.vertexContacts(),
-                               .response = context.settings.contactResponse() == "momentum"
-                                               ? ContactResponse::momentum
-                                               : ContactResponse::none,
+                               .response = context.settings.contactResponse(),
                                .sweeps = context.settings.sweeps,
                                .ray_length_m = context.settings.ray_length_m,
                                .max_displacement_m = context.settings.max_displacement_m,

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "base/record.h"
@@ -36,14 +35,13 @@ struct PipelineContext {
 
 /// A collision pipeline: how its detection in Bullet is set up, and its stage in each step.
 struct PipelineFactory {
-  std::string name;                                                               ///< in catalog().pipelines
+  PipelineKind kind;
   std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> (*configuration)();  ///< null: Bullet's own
   std::unique_ptr<Pipeline> (*make)(const PipelineContext& context);
 };
 
-/// The factory of a name; throws std::invalid_argument when there is none.
-const PipelineFactory& pipelineFactory(const std::string& name);
-const std::vector<PipelineFactory>& pipelineFactories();
+/// The factory of a pipeline; throws std::invalid_argument when this engine has none.
+const PipelineFactory& pipelineFactory(PipelineKind kind);
 
 std::unique_ptr<Pipeline> makeSdfPipeline(const PipelineContext& context);
 std::unique_ptr<Pipeline> makeClusterPipeline(const PipelineContext& context);

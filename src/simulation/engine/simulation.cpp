@@ -1,44 +1,50 @@
 #include "engine/simulation.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/error.h"
 #include "contact/triangle_forces.h"
 #include "engine/pipeline.h"
+#include "scenario/catalog.h"
 
 namespace fissure {
 
-const std::vector<PipelineFactory>& pipelineFactories() {
-  static const std::vector<PipelineFactory> factories = {
-      {"default", nullptr, &makeSdfPipeline},     {"null", &makeDelegatingConfiguration, &makeSdfPipeline},
-      {"cluster", nullptr, &makeClusterPipeline}, {"raycast", nullptr, &makeNodePipeline},
-      {"fukuhara", nullptr, &makeNodePipeline},   {"prescribed", nullptr, &makePrescribedPipeline},
-  };
-  return factories;
-}
+namespace {
 
-const PipelineFactory& pipelineFactory(const std::string& name) {
-  for (const PipelineFactory& factory : pipelineFactories()) {
-    if (factory.name == name) return factory;
+constexpr auto factories = std::to_array<PipelineFactory>({
+    {PipelineKind::default_sdf, nullptr, &makeSdfPipeline},
+    {PipelineKind::null_sdf, &makeDelegatingConfiguration, &makeSdfPipeline},
+    {PipelineKind::cluster, nullptr, &makeClusterPipeline},
+    {PipelineKind::raycast, nullptr, &makeNodePipeline},
+    {PipelineKind::fukuhara, nullptr, &makeNodePipeline},
+    {PipelineKind::prescribed, nullptr, &makePrescribedPipeline},
+});
+
+}  // namespace
+
+const PipelineFactory& pipelineFactory(PipelineKind kind) {
+  for (const PipelineFactory& factory : factories) {
+    if (factory.kind == kind) return factory;
   }
-  throw std::invalid_argument("no pipeline '" + name + "' in this engine");
+  throw std::invalid_argument("no such pipeline in this engine");
 }
 
-std::vector<std::string> enginePipelines() {
-  std::vector<std::string> names;
-  for (const PipelineFactory& factory : pipelineFactories()) names.push_back(factory.name);
-  return names;
+std::vector<PipelineKind> enginePipelines() {
+  std::vector<PipelineKind> kinds;
+  for (const PipelineFactory& factory : factories) kinds.push_back(factory.kind);
+  return kinds;
 }
 
-std::string enginePrecision() {
-  return sizeof(btScalar) == 8 ? "f64" : "f32";
+Precision enginePrecision() {
+  return sizeof(btScalar) == 8 ? Precision::f64 : Precision::f32;
 }
 
 std::string engineVersion() {
   const int version = btGetVersion();
   return "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100) +
-         (enginePrecision() == "f64" ? ", double precision" : ", single precision");
+         (enginePrecision() == Precision::f64 ? ", double precision" : ", single precision");
 }
 
 namespace {
@@ -61,7 +67,7 @@ std::vector<double> masses(const Scene& scene, const std::vector<double>& invers
   for (std::size_t v = 0; v < masses_kg.size(); ++v) {
     if (!std::isfinite(masses_kg[v]) || !std::isfinite(inverse_masses[v]))
       throw InputError("bodies: the mass of a vertex or its inverse is no number in precision " +
-                       enginePrecision() + ", expected another mass_kg");
+                       nameIn(catalog().precisions, enginePrecision()) + ", expected another mass_kg");
   }
   return masses_kg;
 }

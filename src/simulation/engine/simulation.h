@@ -37,13 +37,13 @@ class Simulation {
 std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
                                            const Scene& scene, const std::vector<Pose>& first_poses);
 
-/// Names of the pipelines this engine can build; a test says they are the catalog's.
-std::vector<std::string> enginePipelines();
+/// The pipelines that this engine can build; a test says that they are those of pipeline_table.
+std::vector<PipelineKind> enginePipelines();
 
 /// "Bullet 3.24, double precision".
 std::string engineVersion();
 
-/// Which of catalog().precisions this engine was built in.
-std::string enginePrecision();
+/// The precision that this engine was built in.
+Precision enginePrecision();
 
 }  // namespace fissure

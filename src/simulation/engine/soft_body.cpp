@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "engine/convert.h"
-#include "scenario/catalog.h"
 
 namespace fissure {
 
@@ -75,26 +74,25 @@ void fixVertices(btSoftBody& body, std::span<const int> vertices) {
   body.m_links.resize(kept);
 }
 
-btSoftBody::eAeroModel::_ aeroModel(const std::string& name) {
-  const auto& table = catalog().aero_models;
-  const auto found =
-      std::find_if(table.begin(), table.end(), [&](const CatalogEntry& e) { return e.name == name; });
-  return static_cast<btSoftBody::eAeroModel::_>(found - table.begin());
-}
-
 /// How the body meets rigid shapes, by the pipeline, and other soft bodies. (Bullet's flag for clusters that
 /// collide with their own body, CL_SELF, switches cluster contact off altogether in 3.24: not offered.)
 int collisionFlags(const BodySettings& settings, const PipelineSettings& pipeline) {
   using Flags = btSoftBody::fCollision;
   const int rigid = pipeline.usesClusters() ? Flags::CL_RS : Flags::SDF_RS;
-  if (settings.soft_contact == "vertices") return rigid | Flags::VF_SS;
-  if (settings.soft_contact == "clusters") return rigid | Flags::CL_SS;
+  if (settings.soft_contact == SoftContact::vertices) return rigid | Flags::VF_SS;
+  if (settings.soft_contact == SoftContact::clusters) return rigid | Flags::CL_SS;
   return rigid;
 }
 
+// AeroModel has Bullet's values.
+static_assert(static_cast<int>(AeroModel::V_Point) == btSoftBody::eAeroModel::V_Point);
+static_assert(static_cast<int>(AeroModel::V_OneSided) == btSoftBody::eAeroModel::V_OneSided);
+static_assert(static_cast<int>(AeroModel::F_TwoSided) == btSoftBody::eAeroModel::F_TwoSided);
+static_assert(static_cast<int>(AeroModel::F_OneSided) == btSoftBody::eAeroModel::F_OneSided);
+
 void applySolverSettings(btSoftBody::Config& config, const SolverSettings& solver,
                          double kinematic_hardness) {
-  config.aeromodel = aeroModel(solver.aero_model);
+  config.aeromodel = static_cast<btSoftBody::eAeroModel::_>(solver.aero_model);
   config.kVCF = scalar(solver.velocity_correction);
   config.kDP = scalar(solver.damping);
   config.kDG = scalar(solver.drag);
@@ -155,8 +153,8 @@ std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const 
   body->setTotalMass(scalar(settings.mass_kg), settings.mass_from_faces);
   fixVertices(*body, fixed_vertices);
   body->setPose(settings.pose_volume, settings.pose_frame);
-  if (pipeline.usesClusters() || settings.soft_contact == "clusters")
-    makeClusters(*body, settings.clusters, pipeline.leastClusterIterations());
+  if (pipeline.usesClusters() || settings.soft_contact == SoftContact::clusters)
+    makeClusters(*body, settings.clusters, pipeline.tuning().least_cluster_iterations);
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
 }

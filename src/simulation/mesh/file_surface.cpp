@@ -41,8 +41,7 @@ std::vector<Defect> sizeDefects(const TriangleMesh& mesh, LengthUnit stated) {
   for (const LengthUnit unit : {LengthUnit::m, LengthUnit::cm, LengthUnit::mm}) {
     const double as_m = extent_m / metres(stated) * metres(unit);
     if (as_m < usual_least_m || as_m > usual_most_m) continue;
-    suspects += (suspects.empty() ? "" : " or ") +
-                std::string(catalog().length_units[static_cast<std::size_t>(unit)].name);
+    suspects += (suspects.empty() ? "" : " or ") + nameIn(catalog().length_units, unit);
   }
   if (!suspects.empty()) text += ": is the unit " + suspects + "?";
   return {{DefectKind::size, 1, text + ")"}};

@@ -1,7 +1,7 @@
 #include "mesh/repair.h"
 
 #include <algorithm>
-#include <functional>
+#include <array>
 #include <map>
 #include <utility>
 
@@ -162,25 +162,26 @@ std::string capHoles(TriangleMesh& mesh) {
 
 }  // namespace
 
-std::vector<std::string> repairMesh(TriangleMesh& mesh, const std::vector<std::string>& repairs) {
-  const std::map<std::string_view, std::string (*)(TriangleMesh&)> known = {
-      {"drop_degenerate", &dropDegenerate},
-      {"drop_duplicate_faces", &dropDuplicateFaces},
-      {"keep_largest_shell", &keepLargestShell},
-      {"drop_unreferenced", &dropUnreferenced},
-      {"orient", &orient},
-      {"cap_holes", &capHoles}};
-  const auto asked = [&](std::string_view name) {
-    return std::find(repairs.begin(), repairs.end(), name) != repairs.end();
+std::vector<std::string> repairMesh(TriangleMesh& mesh, const std::vector<MeshRepair>& repairs) {
+  using Step = std::string (*)(TriangleMesh&);
+  constexpr std::array<std::pair<MeshRepair, Step>, 6> steps{
+      {{MeshRepair::drop_degenerate, &dropDegenerate},
+       {MeshRepair::drop_duplicate_faces, &dropDuplicateFaces},
+       {MeshRepair::keep_largest_shell, &keepLargestShell},
+       {MeshRepair::drop_unreferenced, &dropUnreferenced},
+       {MeshRepair::orient, &orient},
+       {MeshRepair::cap_holes, &capHoles}}};
+  const auto asked = [&](MeshRepair repair) {
+    return std::find(repairs.begin(), repairs.end(), repair) != repairs.end();
   };
   std::vector<std::string> done;
-  for (const CatalogEntry& entry : catalog().mesh_repairs) {
-    if (!asked(entry.name)) continue;
-    const std::string change = known.at(entry.name)(mesh);
-    if (!change.empty()) done.push_back(std::string(entry.name) + ": " + change);
+  for (const auto& [repair, step] : steps) {
+    if (!asked(repair)) continue;
+    const std::string change = step(mesh);
+    if (!change.empty()) done.push_back(nameIn(catalog().mesh_repairs, repair) + ": " + change);
   }
   // Only now what is closed is known.
-  const std::size_t turned = asked("orient") ? turnOutward(mesh) : 0;
+  const std::size_t turned = asked(MeshRepair::orient) ? turnOutward(mesh) : 0;
   if (turned > 0) done.push_back("orient: " + counted(turned, "closed piece") + " turned");
   return done;
 }

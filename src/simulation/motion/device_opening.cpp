@@ -13,7 +13,7 @@ constexpr double opening_slack_m = 1e-12;
 
 OpeningAxis::OpeningAxis(const DeviceOpening& settings, const DeviceMapping& mapping,
                          const DeviceToScene& to_scene)
-    : device_axis_(settings.axis.at(0) - 'x'),
+    : device_axis_(static_cast<int>(settings.axis)),
       open_(settings.open()),
       least_device_m_(std::min(settings.closed_device_m, settings.open_device_m)),
       most_device_m_(std::max(settings.closed_device_m, settings.open_device_m)) {

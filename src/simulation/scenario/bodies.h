@@ -18,25 +18,43 @@ struct MaterialSettings {
   bool operator==(const MaterialSettings&) const = default;
 };
 
+/// Where drag and lift act on a soft body: Bullet's eAeroModel, in its order.
+enum class AeroModel {
+  V_Point,
+  V_TwoSided,
+  V_TwoSidedLiftDrag,
+  V_OneSided,
+  F_TwoSided,
+  F_TwoSidedLiftDrag,
+  F_OneSided,
+};
+
+/// What two soft bodies do when they meet.
+enum class SoftContact {
+  none,      ///< they ignore each other
+  vertices,  ///< Bullet's vertices of each against faces of the other
+  clusters,  ///< Bullet's clusters of both
+};
+
 /// Bullet's btSoftBody::Config, field by field, with Bullet's own defaults.
 struct SolverSettings {
-  double velocity_correction = 1.0;    ///< kVCF, Baumgarte factor of the drift solver, >= 0
-  double damping = 0.0;                ///< kDP, share of velocity lost in a step, 0..1
-  double drag = 0.0;                   ///< kDG, >= 0
-  double lift = 0.0;                   ///< kLF, >= 0
-  double pressure = 0.0;               ///< kPR
-  double volume_conservation = 0.0;    ///< kVC, >= 0
-  double dynamic_friction = 0.2;       ///< kDF, 0..1
-  double pose_matching = 0.0;          ///< kMT, 0..1: share of the way to the matched rest shape in a step
-  double rigid_hardness = 1.0;         ///< kCHR, 0..1: contacts with dynamic bodies
-  double soft_hardness = 1.0;          ///< kSHR, 0..1: contacts with soft bodies
-  double anchor_hardness = 0.7;        ///< kAHR, 0..1
-  double max_volume = 1.0;             ///< maxvolume, of pose matching, > 0
-  double time_scale = 1.0;             ///< timescale, > 0: its own time over the scene's (reaction: README)
-  int velocity_iterations = 0;         ///< viterations, 0..1000
-  int position_iterations = 1;         ///< piterations, 1..1000
-  int drift_iterations = 0;            ///< diterations, 0..1000
-  std::string aero_model = "V_Point";  ///< aeromodel, for drag and lift: a name in catalog().aero_models
+  double velocity_correction = 1.0;  ///< kVCF, Baumgarte factor of the drift solver, >= 0
+  double damping = 0.0;              ///< kDP, share of velocity lost in a step, 0..1
+  double drag = 0.0;                 ///< kDG, >= 0
+  double lift = 0.0;                 ///< kLF, >= 0
+  double pressure = 0.0;             ///< kPR
+  double volume_conservation = 0.0;  ///< kVC, >= 0
+  double dynamic_friction = 0.2;     ///< kDF, 0..1
+  double pose_matching = 0.0;        ///< kMT, 0..1: share of the way to the matched rest shape in a step
+  double rigid_hardness = 1.0;       ///< kCHR, 0..1: contacts with dynamic bodies
+  double soft_hardness = 1.0;        ///< kSHR, 0..1: contacts with soft bodies
+  double anchor_hardness = 0.7;      ///< kAHR, 0..1
+  double max_volume = 1.0;           ///< maxvolume, of pose matching, > 0
+  double time_scale = 1.0;           ///< timescale, > 0: its own time over the scene's (reaction: README)
+  int velocity_iterations = 0;       ///< viterations, 0..1000
+  int position_iterations = 1;       ///< piterations, 1..1000
+  int drift_iterations = 0;          ///< diterations, 0..1000
+  AeroModel aero_model = AeroModel::V_Point;  ///< aeromodel, for drag and lift
 
   bool operator==(const SolverSettings&) const = default;
 };
@@ -98,8 +116,7 @@ struct BodySettings {
   bool randomize_links = true;   ///< Bullet's fixed shuffle of links and faces
   bool pose_volume = true;       ///< setPose(volume, .): remember the rest volume
   bool pose_frame = true;        ///< setPose(., frame): remember the rest shape, for pose matching
-  /// What two soft bodies do when they meet, if both say the same: a name in catalog().soft_contacts.
-  std::string soft_contact = "none";
+  SoftContact soft_contact = SoftContact::none;  ///< with another body that says the same
   std::vector<FixedRegion> fixed;  ///< an organ on its bed; each must hold at least one vertex, all not all
   MaterialSettings material;
   SolverSettings solver;

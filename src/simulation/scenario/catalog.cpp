@@ -1,34 +1,35 @@
 #include "scenario/catalog.h"
 
+#include <variant>
+
 #include "law/force_law.h"
+#include "scenario/motions.h"
+#include "scenario/pipeline_table.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 
 namespace {
 
-std::vector<CatalogEntry> forceLawEntries() {
+template <class Table>
+std::vector<CatalogEntry> entriesOf(const Table& table) {
   std::vector<CatalogEntry> entries;
-  for (const ForceLawEntry& law : forceLaws()) entries.push_back({law.name, law.description});
+  for (const auto& entry : table) entries.push_back({entry.name, entry.description});
   return entries;
+}
+
+/// The names of a variant's alternatives, in its order, each with the line of its text that `line` names.
+template <class... Ts, class Text>
+std::vector<CatalogEntry> entriesOf(const std::variant<Ts...>&, std::string_view Text::*line) {
+  return {{Ts::text.name, Ts::text.*line}...};
 }
 
 }  // namespace
 
 const Catalog& catalog() {
   static const Catalog tables{
-      .pipelines =
-          {{"default",
-            "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field"},
-           {"null",
-            "(write it in quotes) default behind a detector of ours that only delegates; must equal default "
-            "bit for bit"},
-           {"cluster", "Bullet's own contact of clusters: pieces of tissue against the convex tool (GJK)"},
-           {"raycast",
-            "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)"},
-           {"fukuhara", "the full method: node ray casting, infeasible pairs excluded, contacts as impulses"},
-           {"prescribed",
-            "reference without contact detection: tissue vertices that a box tool reaches stick to it"}},
-      .force_laws = forceLawEntries(),
+      .pipelines = entriesOf(pipeline_table),
+      .force_laws = entriesOf(forceLaws()),
       .tissues =
           {{"pig_liver_1", "k 6.08e5, n 2.40, F0 0.029 N to 2 mm: pig liver, region 1 (221 probes)"},
            {"pig_liver_2", "k 1.90e7, n 2.95, F0 0.060 N to 3 mm: second pig liver, region 2 (77 probes)"},
@@ -37,23 +38,13 @@ const Catalog& catalog() {
            {"meat_4", "k 7.38e3, n 1.70, F0 0.039 N to 3 mm: meat, region 4 (101 probes)"},
            {"phantom_balls", "k 2.54e3, n 1.45, F0 0.113 N to 3 mm: phantom with small balls (100 probes)"},
            {"phantom_silicone", "k 2.88e3, n 1.30, F0 0.119 N to 3 mm: silicone phantom (728 probes)"}},
-      .body_shapes = {{"sphere", "subdivided octahedron, 8 x 4^subdivisions triangles"},
-                      {"box", "12 triangles, full edge lengths"},
-                      {"triangles", "a closed surface from plain arrays"},
-                      {"file", "a closed surface from an STL, OBJ, PLY or OFF file, in a stated unit"},
-                      {"capsule", "a cylinder with round ends along x; 4 x 2^subdivisions vertices around"},
-                      {"lobes", "half an ellipsoid parted by a slit, mirror-symmetric: a fissure"}},
-      .tool_shapes = {{"sphere", "subdivided octahedron, as a body's"},
-                      {"box", "full edge lengths"},
-                      {"triangles", "a surface from plain arrays"},
-                      {"file", "a surface from an STL, OBJ, PLY or OFF file, in a stated unit"},
-                      {"capsule", "a cylinder with round ends along x, as a body's"},
-                      {"lobes", "as a body's"}},
+      .body_shapes = entriesOf(SurfaceShape(), &ShapeText::as_body),
+      .tool_shapes = entriesOf(SurfaceShape(), &ShapeText::as_tool),
       .clamp_openings = {{"parallel", "both jaws slide apart; openings in metres"},
                          {"hinged", "both jaws turn about one axis; openings in degrees"}},
       .node_placements = {{"grid", "on both large faces of a box, facing nodes are partners (Fukuhara)"},
                           {"centroids", "one in each triangle, its partner in the triangle behind it"}},
-      .motions = {{"script", "waypoints and holds"}, {"replay", "a recorded hand motion from a text file"}},
+      .motions = entriesOf(ToolMotion(), &MotionText::description),
       .timings = {{"constant", "constant speed"},
                   {"trapezoidal", "constant acceleration, cruise, constant deceleration"},
                   {"minimum_jerk", "10 s^3 - 15 s^4 + 6 s^5"}},
@@ -83,6 +74,9 @@ const Catalog& catalog() {
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}, {"cm", "centimetres"}},
       .log_layouts = {{"rows", "a header line of names, then one line a sample"},
                       {"axes", "no header: a line of all x, one of all y, one of all z"}},
+      .device_axes = {{"x", "the log's first coordinate"},
+                      {"y", "the log's second coordinate"},
+                      {"z", "the log's third coordinate"}},
       .device_frames = {{"scene", "the device's axes are the scene's, or as `axes` says"},
                         {"novint", "Falcon by its own driver: x right, y up, z to the operator"},
                         {"chai3d", "Falcon by CHAI3D: x to the operator, y right, z up"}},

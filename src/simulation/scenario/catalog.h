@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,7 +16,7 @@ struct CatalogEntry {
 /// other; tests say that each name has its implementation. Names of an enum or of the alternatives of a
 /// variant are in its order.
 struct Catalog {
-  std::vector<CatalogEntry> pipelines;
+  std::vector<CatalogEntry> pipelines;  ///< those of pipeline_table
   std::vector<CatalogEntry> force_laws;
   std::vector<CatalogEntry> tissues;
   std::vector<CatalogEntry> body_shapes;
@@ -32,20 +31,21 @@ struct Catalog {
   std::vector<CatalogEntry> precisions;
   std::vector<CatalogEntry> rates;
   std::vector<CatalogEntry> deformations;
-  std::vector<CatalogEntry> aero_models;  ///< in the order of Bullet's eAeroModel
+  std::vector<CatalogEntry> aero_models;
   std::vector<CatalogEntry> soft_contacts;
   std::vector<CatalogEntry> length_units;
   std::vector<CatalogEntry> log_layouts;
+  std::vector<CatalogEntry> device_axes;  ///< not listed: a message names them
   std::vector<CatalogEntry> device_frames;
   std::vector<CatalogEntry> mesh_repairs;  ///< in the order in which they are done
 };
 
 const Catalog& catalog();
 
-/// The name of an enum's value in the table of its names.
+/// What a value of an enum is called in files, results and messages; `table` is in the enum's order.
 template <class Enum>
 std::string nameIn(const std::vector<CatalogEntry>& table, Enum value) {
-  return std::string(table.at(static_cast<std::size_t>(value)).name);
+  return std::string(table[static_cast<std::size_t>(value)].name);
 }
 
 }  // namespace fissure

@@ -48,6 +48,7 @@ void checkGauge(Checker check, const GaugeSettings& gauge);
 void checkTool(Checker check, const ToolSettings& tool);
 void checkShape(Checker check, const SurfaceShape& shape);
 void checkClamp(Checker check, const ToolSettings& clamp);
+void checkMotion(Checker check, const ToolMotion& motion, const std::optional<ClampSettings>& clamp);
 void checkOpenings(Checker check, const ScriptMotion& motion, const std::optional<ClampSettings>& clamp);
 void checkOpenings(Checker check, const ReplayMotion& motion, const std::optional<ClampSettings>& clamp);
 void checkJawNames(Checker check, const std::vector<ToolSettings>& tools);
@@ -55,8 +56,5 @@ void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);
 void checkExpectations(Checker check, const Scenario& scenario);
-
-/// Time from the first pose to the end of the last segment of a script that checkTool finds good, seconds.
-double scriptDuration(const ScriptMotion& motion);
 
 }  // namespace fissure

@@ -45,11 +45,14 @@ struct ClampSettings {
 /// The largest angle between hinged jaws, degrees: each then stands square to the clamp.
 constexpr double max_opening_deg = 180;
 
+/// An axis of a haptic device, as its log has it.
+enum class DeviceAxis { x, y, z };
+
 /// How a replayed device opens a clamp: by its coordinate along one of its axes, linearly between two places.
 /// That axis then does not move the clamp, which stays in the plane of the other two through origin_scene_m.
 /// Beyond either place the opening stays where it is there, and the samples are counted.
 struct DeviceOpening {
-  std::string axis;                ///< of the device, as the log has it: "x", "y" or "z"
+  DeviceAxis axis = DeviceAxis::x;
   double closed_device_m = 0;      ///< where the clamp is closed
   double open_device_m = 0;        ///< where it is open, on either side of that
   std::optional<double> open_m;    ///< the opening there, > 0: of parallel jaws

@@ -1,84 +1,77 @@
 #pragma once
 
-#include "scenario/fields_tools.h"
-#include "scenario/fields_world.h"
+#include <array>
+
+#include "scenario/bodies_fields.h"
+#include "scenario/pipelines_fields.h"
+#include "scenario/scenario.h"
 #include "scenario/tissues.h"
+#include "scenario/tools_fields.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: motions of tools, pipelines, force laws, and the scenario as a whole.
+// The keys of every map of a scenario file, once, in the order in which they are written: here those of the
+// scenario as a whole, what surrounds the bodies, force laws, record and expectations; of the rest in the
+// *_fields.h beside the structs. MapReader and MapWriter are the two kinds of Io: what one writes, the other
+// reads.
+//   io.required(key, value)            must be in the file
+//   io.field(key, value)               may be left out: the struct's default, or no value, stands
+//   io.fieldIf(applies, when, key, value)   has a meaning only if `applies`; an error elsewhere
+//   io.choice / io.requiredChoice      a name from a table of the catalog, for a value of an enum
+//   io.choices(key, values, table)     a list of such names, which may be left out
+//   io.tagged(key, value, table)       a map whose `type` names the alternative
+//   io.whileReading(fill)              sets the defaults of keys that follow by those before
+//   io.nameOr(key, value, other_key)   a name that may be left out: then what `other_key` says
 
 template <class Io>
-void describe(Io& io, MotionSegment& s) {
-  const char* moving = "a segment that moves or rotates";
-  io.field("hold_s", s.hold_s);
-  io.field("move_to_m", s.move_to_m);
-  io.field("rotate_to", s.rotate_to);
-  io.field("open_to_m", s.open_to_m);
-  io.field("open_to_deg", s.open_to_deg);
-  io.field("speed_m_s", s.speed_m_s);
-  io.field("duration_s", s.duration_s);
-  io.choiceIf(!s.hold_s, moving, "timing", s.timing, catalog().timings);
-  io.fieldIf(!s.hold_s && s.timing == Timing::trapezoidal, "timing trapezoidal", "ramp_fraction",
-             s.ramp_fraction);
+void describe(Io& io, TimeSettings& t) {
+  io.field("step_s", t.step_s);
+  io.field("settle_s", t.settle_s);
+  io.field("duration_s", t.duration_s);
 }
 
 template <class Io>
-void describe(Io& io, ScriptMotion& m) {
-  io.required("start_m", m.start_m);
-  io.field("start_orientation", m.start_orientation);
-  io.field("start_opening_m", m.start_opening_m);
-  io.field("start_opening_deg", m.start_opening_deg);
-  io.field("segments", m.segments);
+void describe(Io& io, WorldSettings& w) {
+  io.field("gravity_m_s2", w.gravity_m_s2);
+  io.field("air_density_kg_m3", w.air_density_kg_m3);
+  io.field("max_displacement_m", w.max_displacement_m);
 }
 
 template <class Io>
-void describe(Io& io, DeviceMapping& m) {
-  io.choice("frame", m.frame, catalog().device_frames);
-  io.fieldIf(m.frame == DeviceFrame::scene, "frame scene", "axes", m.axes);
-  io.field("scale", m.scale);
-  io.field("origin_device_m", m.origin_device_m);
-  io.field("origin_scene_m", m.origin_scene_m);
-  io.field("mount", m.mount);
+void describe(Io& io, GroundSettings& g) {
+  io.field("height_m", g.height_m);
+  io.field("friction", g.friction);
+  io.field("hardness", g.hardness);
 }
 
 template <class Io>
-void describe(Io& io, ReplayMotion& m) {
-  io.required("file", m.file);
-  io.choice("layout", m.layout, catalog().log_layouts);
-  const bool rows = m.layout == LogLayout::rows;
-  io.fieldIf(rows, "layout rows", "time_column", m.time_column);
-  io.field("rate_hz", m.rate_hz);
-  io.fieldIf(rows, "layout rows", "position_columns", m.position_columns);
-  io.choice("position_unit", m.position_unit, catalog().length_units);
-  io.fieldIf(rows, "layout rows", "quaternion_columns", m.quaternion_columns);
-  io.field("mapping", m.mapping);
-  io.field("opening", m.opening);
-  io.field("start_s", m.start_s);
-  io.field("end_s", m.end_s);
-  io.choice("interpolation", m.interpolation, catalog().interpolations);
-  io.field("max_gap_s", m.max_gap_s);
-  io.field("jump_m", m.jump_m);
+void describe(Io& io, CameraSettings& c) {
+  io.field("position_m", c.position_m);
+  io.field("look_at_m", c.look_at_m);
+  io.field("up", c.up);
+  io.field("field_of_view_deg", c.field_of_view_deg);
 }
 
 template <class Io>
-void describe(Io& io, PipelineSettings& p) {
-  io.nameOr("name", p.name, "pipeline");
-  io.requiredChoice("pipeline", p.pipeline, catalog().pipelines);
-  io.choice("precision", p.precision, catalog().precisions);
-  const bool rays = p.usesNodes();
-  const bool bullet = p.usesSdf() || p.usesClusters();
-  const char* sdf_only = "pipelines default and null";
-  const char* rays_only = "pipelines raycast and fukuhara";
-  io.choiceIf(bullet, "pipelines default, null and cluster", "settings", p.settings, catalog().settings);
-  io.fieldIf(p.usesSdf(), sdf_only, "sdf_voxel_m", p.sdf_voxel_m);
-  io.fieldIf(p.usesSdf(), sdf_only, "kinematic_hardness", p.kinematic_hardness);
-  io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);
-  io.fieldIf(rays, rays_only, "vertex_contacts", p.vertex_contacts);
-  io.choiceIf(rays, rays_only, "response", p.response, catalog().responses);
-  io.fieldIf(rays, rays_only, "sweeps", p.sweeps);
-  io.fieldIf(rays, rays_only, "max_displacement_m", p.max_displacement_m);
-  io.field("time_limit_s", p.time_limit_s);
+void describe(Io& io, FrameSettings& f) {
+  std::array<int, 2> size_px{f.width_px, f.height_px};
+  io.field("every_s", f.every_s);
+  io.field("size_px", size_px);
+  io.field("camera", f.camera);
+  f.width_px = size_px[0];
+  f.height_px = size_px[1];
+}
+
+template <class Io>
+void describe(Io& io, RecordSettings& r) {
+  io.field("snapshots_every_s", r.snapshots_every_s);
+  io.field("frames", r.frames);
+  io.field("force_inputs", r.force_inputs);
+}
+
+template <class Io>
+void describe(Io& io, MeasureSettings& m) {
+  io.field("sample_spacing_m", m.sample_spacing_m);
 }
 
 template <class Io>

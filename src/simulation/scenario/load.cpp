@@ -44,12 +44,18 @@ Path resolve(std::string& name, const std::string& path, const char* kind, YamlN
   return file;
 }
 
-/// The logs and meshes that the scenario names.
+/// The logs and meshes that the scenario names: shapes and motions with a `file`.
 std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
   std::vector<Path> files;
+  const auto add = [&](auto& choice, const std::string& path, const char* kind) {
+    const auto addFile = [&](auto& alternative) {
+      if constexpr (requires { alternative.file; })
+        files.push_back(resolve(alternative.file, path + ".file", kind, root, scenario.directory));
+    };
+    std::visit(addFile, choice);
+  };
   const auto addMesh = [&](SurfaceShape& shape, const std::string& path) {
-    if (auto* mesh = std::get_if<FileShape>(&shape))
-      files.push_back(resolve(mesh->file, path + ".shape.file", "mesh", root, scenario.directory));
+    add(shape, path + ".shape", "mesh");
   };
   for (BodySettings& body : scenario.bodies) addMesh(body.shape, "bodies." + body.name);
   for (ToolSettings& tool : scenario.tools) {
@@ -58,9 +64,7 @@ std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
     if (tool.clamp && tool.clamp->left_jaw) addMesh(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw");
     for (std::size_t i = 0; tool.clamp && i < tool.clamp->handle.size(); ++i)
       addMesh(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i));
-    if (auto* replay = std::get_if<ReplayMotion>(&tool.motion))
-      files.push_back(
-          resolve(replay->file, "tools." + tool.name + ".motion.file", "log", root, scenario.directory));
+    add(tool.motion, path + ".motion", "log");
   }
   return files;
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/choice_text.h"
 #include "scenario/clamps.h"
-#include "scenario/shapes.h"
 
 namespace fissure {
 
@@ -42,11 +42,16 @@ struct MotionSegment {
 
 /// Waypoints and holds from a start pose; after the last segment the tool stays.
 struct ScriptMotion {
+  static constexpr MotionText text{"script", "waypoints and holds", "scripted motion"};
+
   Vec3 start_m = Vec3::Zero();
   Quat start_orientation = Quat::Identity();
   std::vector<MotionSegment> segments;
   std::optional<double> start_opening_m;    ///< of a clamp with parallel jaws, >= 0; default: closed
   std::optional<double> start_opening_deg;  ///< of one with hinged jaws, 0..max_opening_deg
+
+  /// Time from the first pose to the end of the last segment, seconds, where validate() finds nothing wrong.
+  std::optional<double> knownDuration_s() const;
 
   bool operator==(const ScriptMotion&) const = default;
 };
@@ -93,6 +98,8 @@ struct DeviceMapping {
 
 /// A recorded hand motion, from a text file.
 struct ReplayMotion {
+  static constexpr MotionText text{"replay", "a recorded hand motion from a text file", "replayed motion"};
+
   std::string file;                        ///< relative to the scenario's directory
   LogLayout layout = LogLayout::rows;      ///< names of columns, and so a time column, are of layout rows
   std::optional<std::string> time_column;  ///< seconds; time zero is the first sample kept
@@ -108,7 +115,12 @@ struct ReplayMotion {
   double jump_m = 0.02;     ///< a step between two samples longer than this is counted as a jump; > 0
   std::optional<DeviceOpening> opening;  ///< of a clamp, which needs it
 
+  std::optional<double> knownDuration_s() const { return std::nullopt; }  ///< only the log says
+
   bool operator==(const ReplayMotion&) const = default;
 };
+
+/// Where a tool goes. The catalog lists the alternatives in their order.
+using ToolMotion = std::variant<ScriptMotion, ReplayMotion>;
 
 }  // namespace fissure

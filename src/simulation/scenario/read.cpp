@@ -1,7 +1,7 @@
 #include "scenario/read.h"
 
 #include "scenario/fields.h"
-#include "scenario/read_map.h"
+#include "scenario/read_nested.h"
 
 namespace fissure {
 

@@ -28,18 +28,6 @@ void MapReader::nameOr(const char* key, std::string& value, const char* other_ke
   }
 }
 
-void MapReader::choices(const char* key, std::vector<std::string>& values,
-                        const std::vector<CatalogEntry>& table) {
-  const YamlNode* node = take(key);
-  if (!node) return;
-  requireList(*node, pathOf(key));
-  values.clear();
-  for (std::size_t i = 0; i < node->children.size(); ++i) {
-    const YamlNode& item = node->children[i];
-    values.emplace_back(table[readChoice(item, itemPath(*node, pathOf(key), i), table)].name);
-  }
-}
-
 void MapReader::text(const char* key, std::string& value) {
   if (const YamlNode* node = take(key)) readText(*node, pathOf(key), value);
 }

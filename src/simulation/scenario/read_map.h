@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <optional>
 #include <string>
 #include <type_traits>
@@ -46,9 +45,24 @@ class MapReader {
     }
   }
   template <class T>
+  void choice(const char* key, std::optional<T>& value, const std::vector<CatalogEntry>& table) {
+    T chosen{};
+    choice(key, chosen, table);
+    if (map_.find(key)) value = std::move(chosen);
+  }
+  template <class T>
   void requiredChoice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
     choice(key, value, table);
     if (!map_.find(key) && missing_.empty()) missing_ = key;
+  }
+  /// `expected` stands in the message about a text that is no name of the table.
+  template <class Enum>
+  void requiredChoice(const char* key, Enum& value, const std::vector<CatalogEntry>& table,
+                      const char* expected) {
+    std::string name;
+    required(key, name);
+    const YamlNode* node = map_.find(key);
+    if (node) value = static_cast<Enum>(indexOf(*node, pathOf(key), name, table, expected));
   }
   template <class T>
   void choiceIf(bool applies, const char* when, const char* key, T& value,
@@ -56,7 +70,14 @@ class MapReader {
     if (applies) return choice(key, value, table);
     noteMisplaced(key, when);
   }
-  void choices(const char* key, std::vector<std::string>& values, const std::vector<CatalogEntry>& table);
+  template <class Enum>
+  void choices(const char* key, std::vector<Enum>& values, const std::vector<CatalogEntry>& table) {
+    const YamlNode* node = take(key);
+    if (!node) return;
+    values.clear();
+    for (const std::size_t index : readChoices(*node, pathOf(key), table))
+      values.push_back(static_cast<Enum>(index));
+  }
   template <class... Ts>
   void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table);
   template <class Fill>
@@ -85,65 +106,5 @@ class MapReader {
   };
   std::vector<Misplaced> misplaced_;
 };
-
-template <class T>
-void readValue(const YamlNode& node, const std::string& path, T& value) {
-  MapReader io(node, path);
-  describe(io, value);
-  io.finish();
-}
-
-template <class T>
-void readValue(const YamlNode& node, const std::string& path, std::optional<T>& value) {
-  T read{};
-  readValue(node, path, read);
-  value = std::move(read);
-}
-
-template <class T>
-void readValue(const YamlNode& node, const std::string& path, std::vector<T>& value) {
-  requireList(node, path);
-  value.clear();
-  for (std::size_t i = 0; i < node.children.size(); ++i) {
-    T item{};
-    readValue(node.children[i], itemPath(node, path, i), item);
-    value.push_back(std::move(item));
-  }
-}
-
-template <class T, std::size_t N>
-void readValue(const YamlNode& node, const std::string& path, std::array<T, N>& value) {
-  requireList(node, path, N);
-  for (std::size_t i = 0; i < N; ++i) readValue(node.children[i], path + "." + std::to_string(i), value[i]);
-}
-
-/// Makes the variant hold its alternative number `index`, with defaults.
-template <std::size_t I = 0, class... Ts>
-void emplaceAlternative(std::variant<Ts...>& value, std::size_t index) {
-  if constexpr (I < sizeof...(Ts)) {
-    if (index == I) {
-      value.template emplace<I>();
-    } else {
-      emplaceAlternative<I + 1>(value, index);
-    }
-  }
-}
-
-template <class... Ts>
-void MapReader::tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table) {
-  const YamlNode* node = take(key);
-  if (!node) {
-    if (missing_.empty()) missing_ = key;
-    return;
-  }
-  MapReader io(*node, pathOf(key));
-  std::size_t index = 0;
-  const YamlNode* type = io.take("type");
-  if (!type) failAt(node->origin, "missing key \"type\" in " + pathOf(key) + ", expected it");
-  index = readChoice(*type, io.pathOf("type"), table);
-  emplaceAlternative(value, index);
-  std::visit([&](auto& alternative) { describe(io, alternative); }, value);
-  io.finish();
-}
 
 }  // namespace fissure

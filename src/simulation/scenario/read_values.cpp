@@ -125,6 +125,23 @@ std::size_t readChoice(const YamlNode& node, const std::string& path,
   return static_cast<std::size_t>(found - names.begin());
 }
 
+std::size_t indexOf(const YamlNode& node, const std::string& path, const std::string& name,
+                    const std::vector<CatalogEntry>& table, const std::string& expected) {
+  const auto found =
+      std::find_if(table.begin(), table.end(), [&](const CatalogEntry& entry) { return entry.name == name; });
+  if (found == table.end()) failAt(node.origin, path + " is \"" + name + "\", expected " + expected);
+  return static_cast<std::size_t>(found - table.begin());
+}
+
+std::vector<std::size_t> readChoices(const YamlNode& node, const std::string& path,
+                                     const std::vector<CatalogEntry>& table) {
+  requireList(node, path);
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < node.children.size(); ++i)
+    indices.push_back(readChoice(node.children[i], itemPath(node, path, i), table));
+  return indices;
+}
+
 void requireList(const YamlNode& node, const std::string& path, std::optional<std::size_t> length) {
   const std::string expected = length ? "a list of " + std::to_string(*length) : "a list";
   if (node.kind != Kind::list) wrongNode(node, path, expected);

@@ -27,6 +27,13 @@ void readText(const YamlNode& node, const std::string& path, std::string& value)
 /// Index in `table` of the name that the node holds.
 std::size_t readChoice(const YamlNode& node, const std::string& path, const std::vector<CatalogEntry>& table);
 
+/// Index of `name` in `table`. Throws, about the node that holds it, where it is not there.
+std::size_t indexOf(const YamlNode& node, const std::string& path, const std::string& name,
+                    const std::vector<CatalogEntry>& table, const std::string& expected);
+/// The indices of the names that a list holds.
+std::vector<std::size_t> readChoices(const YamlNode& node, const std::string& path,
+                                     const std::vector<CatalogEntry>& table);
+
 /// Throws unless the node is a list (of `length` items, where given).
 void requireList(const YamlNode& node, const std::string& path,
                  std::optional<std::size_t> length = std::nullopt);

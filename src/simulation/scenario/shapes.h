@@ -4,64 +4,60 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
-#include <string>
 #include <variant>
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/choice_text.h"
+#include "scenario/file_shape.h"
 
 namespace fissure {
 
 /// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n
 /// triangles.
 struct SphereShape {
+  static constexpr ShapeText text{"sphere", "subdivided octahedron, 8 x 4^subdivisions triangles",
+                                  "subdivided octahedron, as a body's"};
+
   double radius_m = 0.03;
   int subdivisions = 2;  ///< 0..7; 2: 128 triangles (the paper's), 3: 512, 4: 2048
+
+  double triangles() const { return 8 * std::pow(4, subdivisions); }
 
   bool operator==(const SphereShape&) const = default;
 };
 
 /// A box centred on its own origin, full edge lengths.
 struct BoxShape {
+  static constexpr ShapeText text{"box", "12 triangles, full edge lengths", "full edge lengths"};
+
   Vec3 size_m = {0.04, 0.002, 0.015};
+
+  double triangles() const { return 12; }
 
   bool operator==(const BoxShape&) const = default;
 };
 
 /// Plain arrays: a closed, consistently outward-oriented surface.
 struct TrianglesShape {
+  static constexpr ShapeText text{"triangles", "a closed surface from plain arrays",
+                                  "a surface from plain arrays"};
+
   std::vector<Vec3> vertices_m;
   std::vector<Face> faces;  ///< vertex indices from 0, counter-clockwise seen from outside
 
+  double triangles() const { return static_cast<double>(faces.size()); }
+
   bool operator==(const TrianglesShape&) const = default;
-};
-
-enum class LengthUnit { m, mm, cm };
-
-/// How many metres one `unit` is.
-constexpr double metres(LengthUnit unit) {
-  return unit == LengthUnit::m ? 1.0 : unit == LengthUnit::cm ? 1e-2 : 1e-3;
-}
-
-/// A triangle surface from a file: STL, OBJ, PLY or OFF.
-struct FileShape {
-  std::string file;  ///< relative to the scenario's directory; its ending says the format
-  /// Of the file's numbers. No format states it, and a wrong one is off by a thousand: no default.
-  LengthUnit unit = LengthUnit::m;
-  /// Vertices no farther apart become one, >= 0; 0: only equal ones, which STL writes for each triangle anew.
-  double weld_tolerance_m = 0.0;
-  /// Names in catalog().mesh_repairs. They are done in the catalog's order, and only those; what they changed
-  /// is in the result's summary.
-  std::vector<std::string> repairs;
-  /// Triangles are split until no edge is longer, > 0; default: as in the file.
-  std::optional<double> max_edge_m;
-
-  bool operator==(const FileShape&) const = default;
 };
 
 /// A cylinder with round ends along x around its own origin: an elongated vessel. The ends are halves of a
 /// sphere of as many `subdivisions`; between them triangles about as long as theirs.
 struct CapsuleShape {
+  static constexpr ShapeText text{"capsule",
+                                  "a cylinder with round ends along x; 4 x 2^subdivisions vertices around",
+                                  "a cylinder with round ends along x, as a body's"};
+
   double radius_m = 0.008;
   double length_m = 0.06;  ///< of the cylinder, without its round ends
   int subdivisions = 2;    ///< 0..7; 4 x 2^n vertices around
@@ -80,6 +76,9 @@ struct CapsuleShape {
 /// Two lobes of a half ellipsoid on its flat side, parted by a slit along z and joined below it: a fissure.
 /// The origin is the middle of the flat side, y up. The same on both sides of x = 0, to the last bit.
 struct LobesShape {
+  static constexpr ShapeText text{"lobes", "half an ellipsoid parted by a slit, mirror-symmetric: a fissure",
+                                  "as a body's"};
+
   Vec3 size_m = {0.08, 0.04, 0.08};  ///< of the whole, > 0: across the slit, in height, along the slit
   double slit_depth_m = 0.028;       ///< from the top, in the middle, > 0, below the height
   double slit_width_m = 0.001;  ///< at the top, > 0, below half the size across; closes towards its floor
@@ -107,7 +106,12 @@ struct LobesShape {
   bool operator==(const LobesShape&) const = default;
 };
 
-/// What a body or a tool can look like.
+/// What a body or a tool can look like. The catalog lists the alternatives in their order.
 using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, CapsuleShape, LobesShape>;
+
+/// How many triangles the surface of a shape has; nothing where only a file says.
+inline std::optional<double> trianglesOf(const SurfaceShape& shape) {
+  return std::visit([](const auto& one) { return std::optional<double>(one.triangles()); }, shape);
+}
 
 }  // namespace fissure

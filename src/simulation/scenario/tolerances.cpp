@@ -2,7 +2,7 @@
 
 #include <fnmatch.h>
 
-#include "scenario/read_map.h"
+#include "scenario/read_nested.h"
 #include "text/scalars.h"
 #include "text/text_file.h"
 

@@ -11,10 +11,15 @@
 
 namespace fissure {
 
+/// A rule that says where nodes stand on a tool.
+enum class NodePlacement {
+  grid,       ///< on both large faces of a box, facing nodes are partners (Fukuhara)
+  centroids,  ///< one in each triangle, its partner in the triangle behind it
+};
+
 /// Where a tool's nodes stand, for the pipelines that use nodes.
 struct NodeSettings {
-  /// A name in catalog().node_placements; default: grid for a box, centroids for every other shape.
-  std::optional<std::string> placement;
+  std::optional<NodePlacement> placement;  ///< default: grid for a box, centroids for every other shape
   /// Grid: nodes along the longer and the shorter edge of each large face, 1..512.
   std::array<int, 2> resolution = {8, 8};
   /// Grid, beyond the paper: rows of nodes on each narrow face too, 0 (none) to 512, so that a blade meets
@@ -66,10 +71,11 @@ struct ToolSettings {
   /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
   std::optional<double> force_limit_N;
   std::optional<CouplingSettings> coupling;  ///< default: none, the tool is where its motion says
-  std::variant<ScriptMotion, ReplayMotion> motion;
+  ToolMotion motion;
 
-  std::string nodePlacement() const {
-    return nodes.placement.value_or(std::holds_alternative<BoxShape>(shape) ? "grid" : "centroids");
+  NodePlacement nodePlacement() const {
+    const bool box = std::holds_alternative<BoxShape>(shape);
+    return nodes.placement.value_or(box ? NodePlacement::grid : NodePlacement::centroids);
   }
 
   bool operator==(const ToolSettings&) const = default;

@@ -43,9 +43,10 @@ std::optional<double> knownDuration(const Scenario& scenario) {
   if (scenario.time.duration_s) return scenario.time.duration_s;
   double longest_s = 0;
   for (const ToolSettings& tool : scenario.tools) {
-    const auto* script = std::get_if<ScriptMotion>(&tool.motion);
-    if (!script) return std::nullopt;
-    longest_s = std::max(longest_s, scriptDuration(*script));
+    const std::optional<double> motion_s =
+        std::visit([](const auto& motion) { return motion.knownDuration_s(); }, tool.motion);
+    if (!motion_s) return std::nullopt;
+    longest_s = std::max(longest_s, *motion_s);
   }
   return longest_s;
 }
@@ -69,15 +70,7 @@ void checkSteps(Checker check, const TimeSettings& time, double duration_s) {
 
 double triangleCount(const Scenario& scenario) {
   double count = 0;
-  for (const BodySettings& body : scenario.bodies) {
-    if (const auto* sphere = std::get_if<SphereShape>(&body.shape))
-      count += 8 * std::pow(4, sphere->subdivisions);
-    if (const auto* list = std::get_if<TrianglesShape>(&body.shape))
-      count += static_cast<double>(list->faces.size());
-    if (std::holds_alternative<BoxShape>(body.shape)) count += 12;
-    if (const auto* capsule = std::get_if<CapsuleShape>(&body.shape)) count += capsule->triangles();
-    if (const auto* lobes = std::get_if<LobesShape>(&body.shape)) count += lobes->triangles();
-  }
+  for (const BodySettings& body : scenario.bodies) count += trianglesOf(body.shape).value_or(0);
   return count;
 }
 
@@ -89,7 +82,7 @@ void checkSizes(Checker check, const Scenario& scenario) {
       "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
   double nodes = 0;
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
-    if (tool.nodePlacement() == "grid") nodes += tool.nodes.gridCount();
+    if (tool.nodePlacement() == NodePlacement::grid) nodes += tool.nodes.gridCount();
   }
   check.require(nodes <= max_nodes, "tools",
                 "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));
@@ -126,8 +119,7 @@ void checkAmounts(Checker check, const Scenario& scenario, std::optional<double>
 void checkFriction(Checker check, const Scenario& scenario) {
   for (const ToolSettings& tool : scenario.tools) {
     for (const PipelineSettings& entry : scenario.pipelines) {
-      const bool rubs = !entry.usesNodes() || entry.contactResponse() == "momentum";
-      check.require(tool.friction == 0 || rubs, tool.name + ".friction",
+      check.require(tool.friction == 0 || entry.hasFriction(), tool.name + ".friction",
                     "is " + formatReal(tool.friction) + ", but run " + entry.name +
                         " has response none and with it no force to rub with, expected 0 or pipelines." +
                         entry.name + ".response momentum");

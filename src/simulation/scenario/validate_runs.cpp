@@ -27,19 +27,6 @@ void checkFrames(Checker check, const FrameSettings& frames) {
 
 }  // namespace
 
-void checkPipeline(Checker check, const PipelineSettings& pipeline) {
-  check.oneOf("pipeline", pipeline.pipeline, catalog().pipelines);
-  check.oneOf("precision", pipeline.precision, catalog().precisions);
-  check.oneOf("settings", pipeline.settings, catalog().settings);
-  if (pipeline.sdf_voxel_m) check.positive("sdf_voxel_m", *pipeline.sdf_voxel_m);
-  if (pipeline.kinematic_hardness) check.between("kinematic_hardness", *pipeline.kinematic_hardness, 0, 1);
-  if (pipeline.ray_length_m) check.positive("ray_length_m", *pipeline.ray_length_m);
-  if (pipeline.response) check.oneOf("response", *pipeline.response, catalog().responses);
-  check.between("sweeps", pipeline.sweeps, 1, 1000);
-  check.positive("max_displacement_m", pipeline.max_displacement_m);
-  check.positive("time_limit_s", pipeline.time_limit_s);
-}
-
 void checkForce(Checker check, const ForceSettings& force) {
   for (const LawCoefficient& coefficient : entryOf(force.model).coefficients) {
     const double value = force.coefficients.*coefficient.member;

@@ -81,13 +81,18 @@ class MapWriter {
   template <class T>
   void choice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
     if constexpr (std::is_enum_v<T>) {
-      line(key, formatText(std::string(table[static_cast<std::size_t>(value)].name)));
+      line(key, formatText(nameIn(table, value)));
     } else {
       field(key, value);
     }
   }
   template <class T>
-  void requiredChoice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
+  void choice(const char* key, std::optional<T>& value, const std::vector<CatalogEntry>& table) {
+    if (value) choice(key, *value, table);
+  }
+  template <class T>
+  void requiredChoice(const char* key, T& value, const std::vector<CatalogEntry>& table,
+                      const char* = nullptr) {
     choice(key, value, table);
   }
   template <class T>
@@ -95,8 +100,11 @@ class MapWriter {
                 const std::vector<CatalogEntry>& table) {
     if (applies) choice(key, value, table);
   }
-  void choices(const char* key, std::vector<std::string>& values, const std::vector<CatalogEntry>&) {
-    field(key, values);
+  template <class Enum>
+  void choices(const char* key, std::vector<Enum>& values, const std::vector<CatalogEntry>& table) {
+    std::vector<std::string> names;
+    for (const Enum value : values) names.push_back(nameIn(table, value));
+    field(key, names);
   }
   template <class... Ts>
   void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table) {

@@ -22,7 +22,7 @@ std::vector<std::string> repairsOf(const SurfaceShape& shape, const SurfaceFiles
 
 ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   const NodeSettings& nodes = tool.nodes;
-  if (tool.nodePlacement() == "grid")
+  if (tool.nodePlacement() == NodePlacement::grid)
     return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_rows);
   const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
   constexpr std::size_t most_triangles = 131072;

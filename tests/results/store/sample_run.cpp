@@ -80,10 +80,10 @@ SampleRun makeSampleRun(std::size_t rows, bool with_pictures) {
   run.scenario.time.step_s = 0.5;
   PipelineSettings fukuhara;
   fukuhara.name = "paper_method";
-  fukuhara.pipeline = "fukuhara";
+  fukuhara.pipeline = PipelineKind::fukuhara;
   PipelineSettings bullet;
   bullet.name = "default";
-  bullet.pipeline = "default";
+  bullet.pipeline = PipelineKind::default_sdf;
   run.scenario.pipelines = {fukuhara, bullet};
   run.scene.bodies = {{"liver", tetrahedron(0), 0, 0}, {"kidney", tetrahedron(5), 4, 4}};
   run.scene.tools = {blade("left", 0), blade("right", 2)};

@@ -50,7 +50,7 @@ class Allocated : public testing::Test {
 
   /// Bytes for building the simulation and for one step, by `operator new` (Bullet's own arrays do not
   /// count).
-  long long bytes(const std::string& pipeline) {
+  long long bytes(PipelineKind pipeline) {
     const PipelineSettings entry{.name = "p", .pipeline = pipeline};
     Scene scene;
     scene.bodies.push_back({.name = "sphere", .rest = placeBody(scenario.bodies[0])});
@@ -68,21 +68,21 @@ class Allocated : public testing::Test {
 };
 
 TEST_F(Allocated, WithoutLawsNoCentroidsAndNoContactNormals) {
-  for (const std::string pipeline : {"default", "fukuhara"}) {
+  for (const PipelineKind pipeline : {PipelineKind::default_sdf, PipelineKind::fukuhara}) {
     scenario.force.clear();
     const long long without = bytes(pipeline);
     scenario.force = {{.name = "hc", .model = ForceModel::hunt_crossley}};
     const long long with = bytes(pipeline);
     const long long centroids = 2 * 2048 * static_cast<long long>(sizeof(Vec3));
     const long long normals = (2048 + 1026) * static_cast<long long>(sizeof(Vec3));
-    EXPECT_GE(with - without, centroids + normals) << pipeline;
+    EXPECT_GE(with - without, centroids + normals) << traitsOf(pipeline).name;
   }
 }
 
 TEST_F(Allocated, OnlyWhatTheLawsAskForOfDeformationAndAreas) {
   const auto bytesWith = [&](const std::vector<ForceSettings>& laws) {
     scenario.force = laws;
-    return bytes("fukuhara");
+    return bytes(PipelineKind::fukuhara);
   };
   const ForceSettings paper{.name = "hc", .model = ForceModel::hunt_crossley};
   ForceSettings corotated = paper, per_area = paper, velocities = paper;
@@ -103,7 +103,7 @@ TEST_F(Allocated, OnlyWhatTheLawsAskForOfDeformationAndAreas) {
 TEST_F(Allocated, BulletsOwnContactBuildsNoNodesAndNoTreeOfFaces) {
   const long long nodes = 2 * 32 * 32 * static_cast<long long>(sizeof(Vec3));
   const long long tree = 2048 * static_cast<long long>(sizeof(Face));
-  EXPECT_GE(bytes("fukuhara") - bytes("default"), 2 * nodes + tree);
+  EXPECT_GE(bytes(PipelineKind::fukuhara) - bytes(PipelineKind::default_sdf), 2 * nodes + tree);
 }
 
 }  // namespace

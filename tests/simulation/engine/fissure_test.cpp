@@ -40,8 +40,9 @@ class Fissure {
     scene_.bodies[0].fixed_vertices = fixedVertices(body, scene_.bodies[0].rest);
     scene_.tools.push_back({.name = "blade", .surface = makeBox(size_m), .box_size_m = size_m});
     scene_.tools[0].nodes = makeGridNodes(size_m, {12, 8});
-    simulation_ = makeSimulation(scenario_, {.name = "p", .pipeline = "fukuhara", .response = "momentum"},
-                                 scene_, {pose_});
+    simulation_ = makeSimulation(
+        scenario_, {.name = "p", .pipeline = PipelineKind::fukuhara, .response = ContactResponse::momentum},
+        scene_, {pose_});
   }
 
   void step(const Vec3& way_m, double turn_rad = 0) {

@@ -89,19 +89,25 @@ TEST_P(FixedVerticesIn, DoNotMoveWhateverPressesOnThem) {
   EXPECT_GT(moved_m, 0.001) << "the others do";
 }
 
-PipelineSettings entry(const std::string& pipeline, const std::string& settings = "stock") {
+PipelineSettings entry(PipelineKind pipeline, SettingsPreset settings = SettingsPreset::stock) {
   return {.name = "p", .pipeline = pipeline, .settings = settings};
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Pipelines, FixedVerticesIn,
-    testing::Values(Case{"stock", entry("default")}, Case{"tuned", entry("default", "tuned")},
-                    Case{"velocity_solver", entry("default", "tuned"), 5}, Case{"null", entry("null")},
-                    Case{"cluster", entry("cluster", "tuned")}, Case{"raycast", entry("raycast")},
-                    Case{"fukuhara", entry("fukuhara")},
+    testing::Values(Case{"stock", entry(PipelineKind::default_sdf)},
+                    Case{"tuned", entry(PipelineKind::default_sdf, SettingsPreset::tuned)},
+                    Case{"velocity_solver", entry(PipelineKind::default_sdf, SettingsPreset::tuned), 5},
+                    Case{"null", entry(PipelineKind::null_sdf)},
+                    Case{"cluster", entry(PipelineKind::cluster, SettingsPreset::tuned)},
+                    Case{"raycast", entry(PipelineKind::raycast)},
+                    Case{"fukuhara", entry(PipelineKind::fukuhara)},
                     Case{"no_response",
-                         {.name = "p", .pipeline = "fukuhara", .vertex_contacts = true, .response = "none"}},
-                    Case{"prescribed", entry("prescribed")}),
+                         {.name = "p",
+                          .pipeline = PipelineKind::fukuhara,
+                          .vertex_contacts = true,
+                          .response = ContactResponse::none}},
+                    Case{"prescribed", entry(PipelineKind::prescribed)}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 /// A sphere without ground or tool after five seconds of weight.
@@ -117,7 +123,7 @@ Hanging hang(const std::vector<FixedRegion>& regions, const Vec3& gravity_m_s2 =
   scenario.bodies = {sphere()};
   scenario.bodies[0].fixed = regions;
   const Scene scene = sceneOf(scenario);
-  auto simulation = makeSimulation(scenario, entry("fukuhara"), scene, {});
+  auto simulation = makeSimulation(scenario, entry(PipelineKind::fukuhara), scene, {});
   Hanging hanging{.fixed = scene.bodies[0].fixed_vertices, .first_m = simulation->state().positions_m};
   for (int i = 0; i < 5000; ++i) simulation->step({});
   hanging.last_m = simulation->state().positions_m;

@@ -56,7 +56,7 @@ class World {
            .nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution),
            .first_node = scene_.nodeCount()});
     }
-    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara};
     simulation_ = makeSimulation(scenario_, entry, scene_, poses_);
   }
 

@@ -26,7 +26,7 @@ const GroundSettings kGround{.height_m = -0.03};  // below the sphere
 class World {
  public:
   World(const Vec3& tool_size_m, const Vec3& tool_at_m, std::optional<GroundSettings> ground = {},
-        const std::string& response = "momentum", double damping = 0, double time_scale = 1) {
+        ContactResponse response = ContactResponse::momentum, double damping = 0, double time_scale = 1) {
     scenario_.time.step_s = kStep_s;
     scenario_.ground = ground;
     BodySettings body;
@@ -46,7 +46,7 @@ class World {
     scene_.bodies.push_back({.name = body.name, .rest = placeBody(body)});
     scene_.tools.push_back({.name = "plate", .surface = makeBox(tool_size_m), .box_size_m = tool_size_m});
     scene_.tools[0].nodes = makeGridNodes(tool_size_m, {16, 16});
-    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara", .response = response};
+    const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara, .response = response};
     pose_.position_m = tool_at_m;
     simulation_ = makeSimulation(scenario_, entry, scene_, {pose_});
   }
@@ -101,7 +101,7 @@ class TimeScale : public testing::TestWithParam<double> {};
 // The tissue's momentum changes in each step by gravity and by what the contacts report, to rounding (links
 // and pose matching change none). They work on it for a step x scale of its own time.
 TEST_P(TimeScale, EachStepsChangeIsGravityAndTheReactionInTheBodysOwnTime) {
-  World world(kTable_m, kBelow_m, {}, "momentum", 0, GetParam());
+  World world(kTable_m, kBelow_m, {}, ContactResponse::momentum, 0, GetParam());
   double largest_N = 0;
   for (int i = 0; i < 400; ++i) {
     const Vec3 before = world.momentum();
@@ -115,7 +115,7 @@ TEST_P(TimeScale, EachStepsChangeIsGravityAndTheReactionInTheBodysOwnTime) {
 }
 
 TEST_P(TimeScale, ABodyAtRestOnAToolWeighsWhatItWeighs) {
-  World world(kTable_m, kBelow_m, {}, "momentum", 0.01, GetParam());
+  World world(kTable_m, kBelow_m, {}, ContactResponse::momentum, 0.01, GetParam());
   for (int i = 0; i < 6000; ++i) world.step();
   EXPECT_NEAR(world.meanReaction_N(2000).y(), -kWeight_N, 0.01 * kWeight_N);
 }
@@ -135,7 +135,7 @@ TEST(Momentum, ABodyAtRestOnAToolWeighsWhatItWeighsAndDoesNotSink) {
 
 // The same with response none: what it reports is no weight. (METHOD: response.)
 TEST(Momentum, WithoutResponseTheReactionIsNoWeight) {
-  World world(kTable_m, kBelow_m, {}, "none");
+  World world(kTable_m, kBelow_m, {}, ContactResponse::none);
   for (int i = 0; i < 2000; ++i) world.step();
   EXPECT_GT(std::abs(world.meanReaction_N(1000).y()), 2 * kWeight_N);
 }
@@ -156,7 +156,7 @@ TEST(Momentum, ALiftedBodyFollowsItsToolAndWeighsTheSame) {
 // A blade pressed into the sphere on the ground and held there: the largest kinetic energy of the last tenth
 // of a second, in joules.
 double unrest_J(const GroundSettings& ground) {
-  World world(Vec3(0.04, 0.002, 0.015), Vec3(0, 0.033, 0), ground, "momentum", 0.01);
+  World world(Vec3(0.04, 0.002, 0.015), Vec3(0, 0.033, 0), ground, ContactResponse::momentum, 0.01);
   for (int i = 0; i < 210; ++i) world.step(Vec3(0, -0.1, 0));
   for (int i = 0; i < 300; ++i) world.step();
   double largest_J = 0;

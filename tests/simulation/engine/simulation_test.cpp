@@ -59,9 +59,9 @@ Pose at(double y) {
 /// The spatula's middle goes from y = 0.0615 down by 0.2 mm a step.
 class Press {
  public:
-  explicit Press(const std::string& pipeline, const std::string& settings = "tuned")
+  explicit Press(PipelineKind pipeline, SettingsPreset settings = SettingsPreset::tuned)
       : scenario_(press()),
-        entry_{.name = pipeline, .pipeline = pipeline, .precision = "f64", .settings = settings},
+        entry_{.name = "p", .pipeline = pipeline, .settings = settings},
         scene_(sceneOf(scenario_, entry_.usesNodes())),
         simulation_(makeSimulation(scenario_, entry_, scene_, {at(0.0615)})) {}
   const State& step() {
@@ -91,7 +91,7 @@ Names namesOf(const std::vector<StageTime>& stages) {
 }
 
 TEST(Simulation, SaysHowLongItsStagesTookAndTheyFitIntoTheSteps) {
-  for (const std::string pipeline : {"default", "fukuhara"}) {
+  for (const PipelineKind pipeline : {PipelineKind::default_sdf, PipelineKind::fukuhara}) {
     Press press(pipeline);
     press.run(1);
     const std::vector<StageTime> before = press.simulation().stageTimes();
@@ -99,36 +99,36 @@ TEST(Simulation, SaysHowLongItsStagesTookAndTheyFitIntoTheSteps) {
     press.run(20);
     const double wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const std::vector<StageTime> after = press.simulation().stageTimes();
-    ASSERT_EQ(namesOf(after), namesOf(before)) << pipeline;
+    ASSERT_EQ(namesOf(after), namesOf(before)) << traitsOf(pipeline).name;
     double sum_s = 0;
     for (std::size_t i = 0; i < after.size(); ++i) {
-      EXPECT_GT(after[i].total_s, before[i].total_s) << pipeline << ' ' << after[i].name;
+      EXPECT_GT(after[i].total_s, before[i].total_s) << traitsOf(pipeline).name << ' ' << after[i].name;
       sum_s += after[i].total_s - before[i].total_s;
     }
-    EXPECT_LE(sum_s, wall_s) << pipeline << ": no time is booked twice";
+    EXPECT_LE(sum_s, wall_s) << traitsOf(pipeline).name << ": no time is booked twice";
   }
 }
 
 TEST(Simulation, StagesAreThoseOfThePipeline) {
-  EXPECT_EQ(namesOf(Press("default").simulation().stageTimes()),
+  EXPECT_EQ(namesOf(Press(PipelineKind::default_sdf).simulation().stageTimes()),
             (Names{"predict", "detection", "solve", "force_laws"}));
-  EXPECT_EQ(namesOf(Press("fukuhara").simulation().stageTimes()),
+  EXPECT_EQ(namesOf(Press(PipelineKind::fukuhara).simulation().stageTimes()),
             (Names{"predict", "detection", "solve", "rays", "association", "vertex_contacts", "displacement",
                    "report", "transfer", "force_laws"}));
 }
 
 TEST(Simulation, BuildsExactlyThePipelinesOfTheCatalog) {
-  std::vector<std::string> offered;
-  for (const CatalogEntry& entry : catalog().pipelines) offered.emplace_back(entry.name);
+  std::vector<PipelineKind> offered;
+  for (const PipelineTraits& pipeline : pipeline_table) offered.push_back(pipeline.kind);
   EXPECT_EQ(enginePipelines(), offered);
-  const PipelineSettings unknown{.name = "x", .pipeline = "no such"};
+  const PipelineSettings unknown{.name = "x", .pipeline = static_cast<PipelineKind>(pipeline_table.size())};
   const Scenario scenario = press();
   EXPECT_THROW(makeSimulation(scenario, unknown, sceneOf(scenario, false), {at(0)}), std::invalid_argument);
 }
 
 TEST(Simulation, EvaluatesEveryLawOfTheCatalog) {
   Scenario scenario = press();
-  const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+  const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara};
   for (const ForceLawEntry& law : forceLaws()) {
     for (const DeformationKind kind : {DeformationKind::paper, DeformationKind::corotated}) {
       scenario.force = {{.name = "law", .model = *modelNamed(law.name), .deformation = kind}};
@@ -142,14 +142,14 @@ TEST(Simulation, EvaluatesEveryLawOfTheCatalog) {
 
 // Two blades side by side, the second one 2 mm lower.
 TEST(Simulation, TwoToolsFeelTheirPartsOfTheForce) {
-  for (const std::string pipeline : {"default", "fukuhara"}) {
+  for (const PipelineKind pipeline : {PipelineKind::default_sdf, PipelineKind::fukuhara}) {
     Scenario scenario = press();
     std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
     scenario.tools[0].shape = BoxShape{Vec3(0.015, 0.002, 0.03)};
     scenario.tools.push_back(scenario.tools[0]);
     scenario.tools[1].name = "second";
     scenario.force.push_back({.name = "linear", .model = ForceModel::linear_elastic});
-    const PipelineSettings entry{.name = "p", .pipeline = pipeline, .settings = "tuned"};
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline, .settings = SettingsPreset::tuned};
     Scene scene = sceneOf(scenario, entry.usesNodes());
     scene.tools[1].first_node = scene.tools[0].nodes.size();
     const auto poses = [](int step) {
@@ -163,11 +163,12 @@ TEST(Simulation, TwoToolsFeelTheirPartsOfTheForce) {
     for (std::size_t law = 0; law < 2; ++law) {
       const Vec3& first_N = state.tool_forces_N[2 * law];
       const Vec3& second_N = state.tool_forces_N[2 * law + 1];
-      EXPECT_GT(first_N.y(), 0.01) << pipeline;
-      EXPECT_GT(second_N.y(), 0.01) << pipeline;
+      EXPECT_GT(first_N.y(), 0.01) << traitsOf(pipeline).name;
+      EXPECT_GT(second_N.y(), 0.01) << traitsOf(pipeline).name;
       // Bullet's own contacts do not say how far they displace and share alike.
-      EXPECT_TRUE(second_N.y() > first_N.y() || pipeline == "default");
-      EXPECT_LT((first_N + second_N - state.forces[law].force_on_tool_N).norm(), 1e-12) << pipeline;
+      EXPECT_TRUE(second_N.y() > first_N.y() || pipeline == PipelineKind::default_sdf);
+      EXPECT_LT((first_N + second_N - state.forces[law].force_on_tool_N).norm(), 1e-12)
+          << traitsOf(pipeline).name;
     }
   }
 }
@@ -178,7 +179,7 @@ TEST(Simulation, RunsBulletInDoublePrecision) {
 
 // The null test of the harness: a detector of ours that only delegates changes no bit of any vertex.
 TEST(Simulation, ADelegatingDetectorEqualsTheDefaultBitForBit) {
-  Press reference("default"), delegating("null");
+  Press reference(PipelineKind::default_sdf), delegating(PipelineKind::null_sdf);
   int contacts = 0;
   for (int i = 0; i < 150; ++i) {
     const State& expected = reference.step();
@@ -193,9 +194,9 @@ TEST(Simulation, ADelegatingDetectorEqualsTheDefaultBitForBit) {
 }
 
 TEST(Simulation, TheSameRunTwiceIsTheSameBitForBit) {
-  for (const CatalogEntry& pipeline : catalog().pipelines) {
-    const State first = Press(std::string(pipeline.name)).run(100);
-    const State second = Press(std::string(pipeline.name)).run(100);
+  for (const PipelineTraits& pipeline : pipeline_table) {
+    const State first = Press(pipeline.kind).run(100);
+    const State second = Press(pipeline.kind).run(100);
     for (std::size_t i = 0; i < first.positions_m.size(); ++i) {
       ASSERT_EQ(first.positions_m[i], second.positions_m[i]) << pipeline.name;
     }
@@ -206,7 +207,7 @@ TEST(Simulation, ForcesOfTrianglesAreKeptForLawsOnly) {
   for (const bool laws : {false, true}) {
     Scenario scenario = press();
     if (!laws) scenario.force.clear();
-    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara};
     auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
     for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
     const State& state = simulation->state();
@@ -220,7 +221,7 @@ TEST(Simulation, InputsOfForceLawsAreKeptOnRequestOnly) {
   for (const bool asked : {false, true}) {
     Scenario scenario = press();
     scenario.record.force_inputs = asked;
-    const PipelineSettings entry{.name = "p", .pipeline = "fukuhara"};
+    const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara};
     auto simulation = makeSimulation(scenario, entry, sceneOf(scenario, true), {at(0.0615)});
     for (int i = 1; i <= 50; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
     const State& state = simulation->state();
@@ -233,17 +234,17 @@ TEST(Simulation, InputsOfForceLawsAreKeptOnRequestOnly) {
 
 // The settings must reach Bullet: stock and tuned differ as soon as the tool touches.
 TEST(Simulation, StockAndTunedDiffer) {
-  const State stock = Press("default", "stock").run(60);
-  const State tuned = Press("default", "tuned").run(60);
+  const State stock = Press(PipelineKind::default_sdf, SettingsPreset::stock).run(60);
+  const State tuned = Press(PipelineKind::default_sdf, SettingsPreset::tuned).run(60);
   EXPECT_NE(stock.positions_m, tuned.positions_m);
 }
 
 // Without tools all pipelines are the same world: they differ in the tool's contact and in nothing else.
 TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
   std::vector<Vec3> reference;
-  for (const CatalogEntry& pipeline : catalog().pipelines) {
+  for (const PipelineTraits& pipeline : pipeline_table) {
     Scenario scenario = press();
-    const PipelineSettings entry{.name = "p", .pipeline = std::string(pipeline.name)};
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline.kind};
     const Scene scene = sceneOf(scenario, entry.usesNodes());
     auto simulation = makeSimulation(scenario, entry, scene, {at(0.2)});
     for (int i = 0; i < 100; ++i) simulation->step({at(0.2)});
@@ -266,7 +267,7 @@ TEST(Simulation, AToolThatStartsInTissueThrowsNothing) {
   std::vector<std::vector<Vec3>> ends;
   for (const bool vertex_contacts : {false, true}) {
     const PipelineSettings entry{
-        .name = "p", .pipeline = "fukuhara", .precision = "f64", .vertex_contacts = vertex_contacts};
+        .name = "p", .pipeline = PipelineKind::fukuhara, .vertex_contacts = vertex_contacts};
     const Pose pose = at(ring_m - 0.005);
     auto simulation = makeSimulation(scenario, entry, scene, {pose});
     std::vector<Vec3> before = simulation->state().positions_m;
@@ -285,7 +286,7 @@ TEST(Simulation, AToolThatStartsInTissueThrowsNothing) {
 // The blade comes down onto the sphere: no contact before it is there, then some, and the vertices of its
 // clusters collide.
 TEST(Simulation, ClustersCollideWithTheBlade) {
-  Press press("cluster", "stock");
+  Press press(PipelineKind::cluster, SettingsPreset::stock);
   int contacts = 0, pushes = 0;
   for (int i = 0; i < 40; ++i) {
     const State& state = press.step();
@@ -306,14 +307,14 @@ TEST(Simulation, ClustersCollideWithTheBlade) {
 // A sphere falls from 5 mm above onto another that stands on the ground: it goes into it unless both are told
 // to collide.
 TEST(Simulation, SoftBodiesMeetAsAsked) {
-  const auto gapAfterFall = [](const std::string& soft_contact) {
+  const auto gapAfterFall = [](SoftContact soft_contact) {
     Scenario scenario = press();
     scenario.tools.clear();
     scenario.bodies.push_back(scenario.bodies[0]);
     scenario.bodies[1].name = "upper";
     scenario.bodies[1].position_m.y() = 0.095;
     for (BodySettings& body : scenario.bodies) body.soft_contact = soft_contact;
-    const PipelineSettings entry{.name = "default", .pipeline = "default"};
+    const PipelineSettings entry{.name = "default", .pipeline = PipelineKind::default_sdf};
     const Scene scene = sceneOf(scenario, false);
     auto simulation = makeSimulation(scenario, entry, scene, {});
     for (int i = 0; i < 120; ++i) simulation->step({});
@@ -326,9 +327,9 @@ TEST(Simulation, SoftBodiesMeetAsAsked) {
     }
     return upper.y() - lower.y();
   };
-  EXPECT_LT(gapAfterFall("none"), 0.02) << "nothing holds the upper one: through";
-  EXPECT_GT(gapAfterFall("vertices"), 0.03);
-  EXPECT_GT(gapAfterFall("clusters"), 0.03);
+  EXPECT_LT(gapAfterFall(SoftContact::none), 0.02) << "nothing holds the upper one: through";
+  EXPECT_GT(gapAfterFall(SoftContact::vertices), 0.03);
+  EXPECT_GT(gapAfterFall(SoftContact::clusters), 0.03);
 }
 
 // Free fall for a body without ground or tool: v = g t, and Bullet's semi-implicit Euler y = -g dt^2 n (n +
@@ -338,7 +339,7 @@ TEST(Simulation, FreeFallUsesTheExactTimeStep) {
   scenario.ground.reset();
   scenario.tools.clear();
   scenario.bodies[0].solver = {.position_iterations = 1};
-  const PipelineSettings entry{.name = "default", .pipeline = "default"};
+  const PipelineSettings entry{.name = "default", .pipeline = PipelineKind::default_sdf};
   const Scene scene = sceneOf(scenario, false);
   auto simulation = makeSimulation(scenario, entry, scene, {});
   const int n = 200;
@@ -356,7 +357,7 @@ TEST(Simulation, FreeFallUsesTheExactTimeStep) {
 TEST(Simulation, TheGroundHoldsTheBody) {
   Scenario scenario = press();
   scenario.tools.clear();
-  const PipelineSettings entry{.name = "default", .pipeline = "default"};
+  const PipelineSettings entry{.name = "default", .pipeline = PipelineKind::default_sdf};
   const Scene scene = sceneOf(scenario, false);
   auto simulation = makeSimulation(scenario, entry, scene, {});
   for (int i = 0; i < 1000; ++i) simulation->step({});
@@ -367,7 +368,7 @@ TEST(Simulation, TheGroundHoldsTheBody) {
 }
 
 TEST(Simulation, ToolVelocitiesAreTheMeanOverTheStep) {
-  Press tuned("fukuhara");
+  Press tuned(PipelineKind::fukuhara);
   const ToolState& tool = tuned.run(3).tools[0];
   EXPECT_NEAR((tool.velocity_m_s - Vec3(0, -0.2, 0)).norm(), 0, 1e-9);
   EXPECT_EQ(tool.angular_velocity_rad_s, Vec3::Zero());
@@ -388,8 +389,9 @@ TEST(Simulation, TheDefaultLetsTheSpatulaInAndTheFullMethodHolds) {
     return top;
   };
   const double lower_face = 0.0615 - 0.0002 * 100 - 0.001;
-  EXPECT_GT(topUnderBlade(Press("default", "stock").run(100)), lower_face + 0.005);
-  const double held = topUnderBlade(Press("fukuhara").run(100));
+  EXPECT_GT(topUnderBlade(Press(PipelineKind::default_sdf, SettingsPreset::stock).run(100)),
+            lower_face + 0.005);
+  const double held = topUnderBlade(Press(PipelineKind::fukuhara).run(100));
   EXPECT_GT(held, 0) << "tissue is still there, below the blade";
   EXPECT_LT(held, lower_face);
 }
@@ -400,7 +402,8 @@ TEST(Simulation, BulletMeetsTheHullOfTrianglesAsItMeetsABox) {
   Scenario scenario = press();
   std::get<SphereShape>(scenario.bodies[0].shape).subdivisions = 3;
   scenario.tools[0].shape = BoxShape{Vec3(0.08, 0.005, 0.08)};
-  const PipelineSettings entry{.name = "default", .pipeline = "default", .settings = "tuned"};
+  const PipelineSettings entry{
+      .name = "default", .pipeline = PipelineKind::default_sdf, .settings = SettingsPreset::tuned};
   const auto pressed = [&](const Scene& scene) {
     auto simulation = makeSimulation(scenario, entry, scene, {at(0.063)});
     for (int i = 1; i <= 60; ++i) simulation->step({at(0.063 - 0.0002 * i)});
@@ -422,7 +425,7 @@ TEST(Simulation, BulletMeetsTheHullOfTrianglesAsItMeetsABox) {
 }
 
 TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
-  Press press("prescribed");
+  Press press(PipelineKind::prescribed);
   int top = 0;
   const State& first = press.step();
   for (std::size_t v = 0; v < first.positions_m.size(); ++v)
@@ -436,7 +439,7 @@ TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
 // A blade at rest on held tissue feels the elastic force alone: x' is zero, and nothing is clamped. (The
 // engine's own velocities would say tens of m/s.)
 TEST(Simulation, AtRestTheForceIsElastic) {
-  Press held("fukuhara");
+  Press held(PipelineKind::fukuhara);
   held.run(60);
   for (int i = 0; i < 300; ++i) held.simulation().step({at(0.0615 - 0.0002 * 60)});
   const ForceSample& force = held.simulation().state().forces[0];

@@ -10,8 +10,8 @@ namespace fissure::soft_body_test {
 
 namespace {
 
-const PipelineSettings default_pipeline{.name = "default", .pipeline = "default"};
-const PipelineSettings cluster_pipeline{.name = "cluster", .pipeline = "cluster"};
+const PipelineSettings default_pipeline{.name = "default", .pipeline = PipelineKind::default_sdf};
+const PipelineSettings cluster_pipeline{.name = "cluster", .pipeline = PipelineKind::cluster};
 
 std::unique_ptr<btSoftBody> bulletsOwn(btSoftBodyWorldInfo& info, const TriangleMesh& mesh,
                                        const BodySettings& settings) {
@@ -83,7 +83,7 @@ TEST(SoftBody, AppliesEverySetting) {
                      .velocity_iterations = 3,
                      .position_iterations = 4,
                      .drift_iterations = 5,
-                     .aero_model = "F_TwoSidedLiftDrag"};
+                     .aero_model = AeroModel::F_TwoSidedLiftDrag};
   btSoftBodyWorldInfo info;
   PipelineSettings hard = default_pipeline;
   hard.kinematic_hardness = 0.77;
@@ -119,16 +119,16 @@ TEST(SoftBody, AppliesEverySetting) {
 TEST(SoftBody, MeetsRigidAndSoftBodiesAsAsked) {
   using Flags = btSoftBody::fCollision;
   btSoftBodyWorldInfo info;
-  const auto flags = [&](const std::string& soft_contact, const PipelineSettings& pipeline) {
+  const auto flags = [&](SoftContact soft_contact, const PipelineSettings& pipeline) {
     BodySettings settings;
     settings.soft_contact = soft_contact;
     return makeSoftBody(info, makeSphere(0.03, 1), settings, pipeline)->m_cfg.collisions;
   };
-  EXPECT_EQ(flags("none", default_pipeline), Flags::SDF_RS);
-  EXPECT_EQ(flags("vertices", default_pipeline), Flags::SDF_RS | Flags::VF_SS);
-  EXPECT_EQ(flags("clusters", default_pipeline), Flags::SDF_RS | Flags::CL_SS);
-  EXPECT_EQ(flags("none", cluster_pipeline), Flags::CL_RS);
-  EXPECT_EQ(flags("vertices", cluster_pipeline), Flags::CL_RS | Flags::VF_SS);
+  EXPECT_EQ(flags(SoftContact::none, default_pipeline), Flags::SDF_RS);
+  EXPECT_EQ(flags(SoftContact::vertices, default_pipeline), Flags::SDF_RS | Flags::VF_SS);
+  EXPECT_EQ(flags(SoftContact::clusters, default_pipeline), Flags::SDF_RS | Flags::CL_SS);
+  EXPECT_EQ(flags(SoftContact::none, cluster_pipeline), Flags::CL_RS);
+  EXPECT_EQ(flags(SoftContact::vertices, cluster_pipeline), Flags::CL_RS | Flags::VF_SS);
 }
 
 TEST(SoftBody, AppliesEverySettingOfItsClusters) {
@@ -161,7 +161,7 @@ TEST(SoftBody, AppliesEverySettingOfItsClusters) {
   EXPECT_EQ(body->m_clusters[1]->m_adamping, btScalar(0.29));
   EXPECT_EQ(body->m_clusters[1]->m_matching, btScalar(0.31));
   PipelineSettings tuned = cluster_pipeline;
-  tuned.settings = "tuned";
+  tuned.settings = SettingsPreset::tuned;
   EXPECT_EQ(makeSoftBody(info, makeSphere(0.03, 2), settings, tuned)->m_cfg.citerations, 20);
   EXPECT_EQ(makeSoftBody(info, makeSphere(0.03, 2), settings, default_pipeline)->m_clusters.size(), 0)
       << "clusters that nothing needs";

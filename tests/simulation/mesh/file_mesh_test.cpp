@@ -178,7 +178,7 @@ TEST_F(MeshFile, NonFiniteVerticesAreToldAndNotRepaired) {
   bad.vertices_m[3] = Vec3::Constant(std::nan(""));
   folder_.write("bad.ply", asBinaryPly(bad));
   FileShape shape = shapeOf("bad.ply", LengthUnit::mm);
-  shape.repairs = {"orient", "cap_holes"};  // of no use here
+  shape.repairs = {MeshRepair::orient, MeshRepair::cap_holes};  // of no use here
   const FileSurface surface = loadSurface(shape, folder_.path());
   ASSERT_EQ(surface.left.size(), 1u);
   EXPECT_EQ(surface.left[0].text, "1 non-finite vertex (a coordinate is infinite or not a number)");

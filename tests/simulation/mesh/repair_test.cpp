@@ -30,10 +30,11 @@ void reverse(TriangleMesh& mesh, std::size_t first, std::size_t last) {
   for (std::size_t f = first; f < last; ++f) std::swap(mesh.faces[f][1], mesh.faces[f][2]);
 }
 
-Lines allRepairs() {
-  Lines names;
-  for (const CatalogEntry& entry : catalog().mesh_repairs) names.emplace_back(entry.name);
-  return names;
+std::vector<MeshRepair> allRepairs() {
+  std::vector<MeshRepair> repairs;
+  for (std::size_t i = 0; i < catalog().mesh_repairs.size(); ++i)
+    repairs.push_back(static_cast<MeshRepair>(i));
+  return repairs;
 }
 
 TEST(Repair, LeavesAGoodMeshAlone) {
@@ -62,7 +63,7 @@ TEST(Repair, DropsDegenerateTriangles) {
   mesh.vertices_m.push_back({3, 0, 0});
   const int last = static_cast<int>(mesh.vertices_m.size()) - 1;
   mesh.faces.push_back({last - 2, last - 1, last});
-  EXPECT_EQ(repairMesh(mesh, {"drop_degenerate"}), Lines{"drop_degenerate: 2 triangles"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::drop_degenerate}), Lines{"drop_degenerate: 2 triangles"});
   EXPECT_EQ(mesh.faces, ball().faces);
   EXPECT_EQ(mesh.vertices_m, ball().vertices_m);
 }
@@ -77,7 +78,7 @@ TEST(Repair, OfDuplicateFacesOneStaysAndOppositeOnesCancel) {
   const int tip = static_cast<int>(mesh.vertices_m.size()) - 1;
   mesh.faces.push_back({d, e, tip});
   mesh.faces.push_back({e, d, tip});
-  EXPECT_EQ(repairMesh(mesh, {"drop_duplicate_faces"}), Lines{"drop_duplicate_faces: 4 triangles"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::drop_duplicate_faces}), Lines{"drop_duplicate_faces: 4 triangles"});
   EXPECT_EQ(mesh.faces, ball().faces);
   EXPECT_EQ(mesh.vertices_m, ball().vertices_m);
 }
@@ -86,7 +87,8 @@ TEST(Repair, KeepsTheLargestShell) {
   TriangleMesh mesh = makeBox({0.01, 0.01, 0.01});
   append(mesh, ball(), Vec3(0.1, 0, 0));
   append(mesh, makeBox({0.001, 0.001, 0.001}), Vec3(0.2, 0, 0));
-  EXPECT_EQ(repairMesh(mesh, {"keep_largest_shell"}), Lines{"keep_largest_shell: 2 shells of 24 triangles"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::keep_largest_shell}),
+            Lines{"keep_largest_shell: 2 shells of 24 triangles"});
   EXPECT_EQ(mesh.faces, ball().faces);
   EXPECT_EQ(findDefects(mesh), Lines{});
 }
@@ -96,14 +98,14 @@ TEST(Repair, DropsUnreferencedVertices) {
   mesh.vertices_m.insert(mesh.vertices_m.begin() + 4, Vec3(1, 1, 1));
   for (Face& face : mesh.faces)
     for (int& v : face) v += v >= 4;
-  EXPECT_EQ(repairMesh(mesh, {"drop_unreferenced"}), Lines{"drop_unreferenced: 1 vertex"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::drop_unreferenced}), Lines{"drop_unreferenced: 1 vertex"});
   EXPECT_EQ(mesh.faces, ball().faces);
 }
 
 TEST(Repair, OrientsTheFewerTriangles) {
   TriangleMesh mesh = ball();
   reverse(mesh, 10, 25);
-  EXPECT_EQ(repairMesh(mesh, {"orient"}), Lines{"orient: 15 triangles turned"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::orient}), Lines{"orient: 15 triangles turned"});
   EXPECT_EQ(findDefects(mesh), Lines{});
 }
 
@@ -111,7 +113,7 @@ TEST(Repair, TurnsWhatIsInsideOut) {
   TriangleMesh mesh = ball();
   reverse(mesh, 0, mesh.faces.size());
   reverse(mesh, 0, 3);
-  EXPECT_EQ(repairMesh(mesh, {"orient"}),
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::orient}),
             (Lines{"orient: 3 triangles turned", "orient: 1 closed piece turned"}));
   EXPECT_EQ(findDefects(mesh), Lines{});
 }
@@ -121,13 +123,13 @@ TEST(Repair, ACavityStaysInward) {
   append(mesh, makeSphere(0.01, 1), Vec3::Zero());
   reverse(mesh, 128, mesh.faces.size());
   EXPECT_EQ(findDefects(mesh), Lines{}) << "a hollow ball";
-  EXPECT_EQ(repairMesh(mesh, {"orient"}), Lines{});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::orient}), Lines{});
   // The same shell beside the ball is inside out, though the volume of both is positive.
   TriangleMesh beside = ball();
   append(beside, makeSphere(0.01, 1), Vec3(0.1, 0, 0));
   reverse(beside, 128, beside.faces.size());
   EXPECT_EQ(findDefects(beside), Lines{"1 of 2 shells inside out (and no cavity of another one)"});
-  EXPECT_EQ(repairMesh(beside, {"orient"}), Lines{"orient: 1 closed piece turned"});
+  EXPECT_EQ(repairMesh(beside, {MeshRepair::orient}), Lines{"orient: 1 closed piece turned"});
   EXPECT_EQ(findDefects(beside), Lines{});
 }
 
@@ -148,7 +150,7 @@ TEST(Repair, AMoebiusStripCannotBeOriented) {
     strip.faces.push_back({a, c, d});
   }
   const TriangleMesh before = strip;
-  EXPECT_EQ(repairMesh(strip, {"orient"}), Lines{});
+  EXPECT_EQ(repairMesh(strip, {MeshRepair::orient}), Lines{});
   EXPECT_EQ(strip.faces, before.faces);
 }
 
@@ -170,7 +172,7 @@ TEST(Repair, CapsHoles) {
   kept.erase(std::find_if(kept.begin(), kept.end(), floor));
   mesh.faces = kept;
   EXPECT_EQ(findDefects(mesh), Lines{"7 boundary edges (the surface is open)"});
-  EXPECT_EQ(repairMesh(mesh, {"cap_holes"}), Lines{"cap_holes: 2 holes of 7 edges"});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::cap_holes}), Lines{"cap_holes: 2 holes of 7 edges"});
   EXPECT_EQ(findDefects(mesh), Lines{});
   EXPECT_EQ(mesh.faces.size(), 9u + 1 + 4);
   EXPECT_NEAR(signedVolume_m3(mesh), volume_m3, 1e-18);
@@ -182,7 +184,7 @@ TEST(Repair, CapsAMisorientedMeshOnlyOnceItIsOriented) {
   reverse(mesh, 0, mesh.faces.size());  // all, so that it is consistent and inward
   reverse(mesh, 0, 40);
   TriangleMesh capped = mesh;
-  repairMesh(capped, {"cap_holes", "orient"});  // in the catalog's order, not in this one
+  repairMesh(capped, {MeshRepair::cap_holes, MeshRepair::orient});  // in the catalog's order, not in this one
   EXPECT_EQ(findDefects(capped), Lines{});
   EXPECT_NEAR(signedVolume_m3(capped), signedVolume_m3(ball()), 1e-18);
 }
@@ -198,7 +200,7 @@ TEST(Repair, LoopsThatTouchStayOpen) {
   };
   mesh.faces.erase(std::find_if(mesh.faces.begin() + 1, mesh.faces.end(), touches));
   mesh.faces.erase(mesh.faces.begin());
-  EXPECT_EQ(repairMesh(mesh, {"cap_holes"}), Lines{});
+  EXPECT_EQ(repairMesh(mesh, {MeshRepair::cap_holes}), Lines{});
   EXPECT_EQ(findDefects(mesh), Lines{"6 boundary edges (the surface is open)"});
 }
 

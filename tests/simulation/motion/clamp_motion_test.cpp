@@ -65,14 +65,14 @@ const char* const log =
     "0.02,0.04,0.13\n"
     "0.03,0.06,0.08\n";
 
-ReplayMotion opened(const std::string& axis, double closed_m, double open_m) {
+ReplayMotion opened(DeviceAxis axis, double closed_m, double open_m) {
   ReplayMotion settings = rated(10);
   settings.opening = DeviceOpening{axis, closed_m, open_m, 0.04, std::nullopt};
   return settings;
 }
 
 TEST(ClampReplay, OneDeviceAxisOpensAndTheOthersMoveInAPlane) {
-  ReplayMotion settings = opened("z", 0.09, 0.12);
+  ReplayMotion settings = opened(DeviceAxis::z, 0.09, 0.12);
   settings.mapping.origin_device_m = Vec3(0, 0, 0.1);
   settings.mapping.origin_scene_m = Vec3(1, 2, 3);
   settings.mapping.scale = 2;
@@ -94,7 +94,7 @@ TEST(ClampReplay, OneDeviceAxisOpensAndTheOthersMoveInAPlane) {
 
 // CHAI3D's x comes towards the operator, which is the scene's z; here pulling it to oneself closes.
 TEST(ClampReplay, ReadsTheAxisInTheDevicesOwnFrame) {
-  ReplayMotion settings = opened("x", 0.02, 0.01);
+  ReplayMotion settings = opened(DeviceAxis::x, 0.02, 0.01);
   settings.mapping.frame = DeviceFrame::chai3d;
   const auto motion = play(log, settings);
   EXPECT_EQ(motion->openingAt(0), 0.04);
@@ -105,7 +105,7 @@ TEST(ClampReplay, ReadsTheAxisInTheDevicesOwnFrame) {
 }
 
 TEST(ClampReplay, ATurnedAxisOpensAlike) {
-  ReplayMotion settings = opened("z", 0.09, 0.12);
+  ReplayMotion settings = opened(DeviceAxis::z, 0.09, 0.12);
   settings.mapping.axes = {"y", "-z", "-x"};
   EXPECT_NEAR(play(log, settings)->openingAt(0.1), 0.04 * 2 / 3, 1e-15);
 }

@@ -34,7 +34,7 @@ class ClampRun : public RecordedRun {
     scenario.world.gravity_m_s2 = Vec3::Zero();
     scenario.force = {
         {.name = "hc", .model = ForceModel::hunt_crossley, .deformation = DeformationKind::corotated}};
-    scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
+    scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 
   ClampSettings& clamp() { return *scenario.tools[0].clamp; }
@@ -177,7 +177,8 @@ TEST_F(ClampRun, RecordsEachJawAndTheResultant) {
 }
 
 TEST_F(ClampRun, BulletDoesNotSayTheReactionsOfJaws) {
-  scenario.pipelines = {{.name = "default", .pipeline = "default", .settings = "tuned"}};
+  scenario.pipelines = {
+      {.name = "default", .pipeline = PipelineKind::default_sdf, .settings = SettingsPreset::tuned}};
   execute();
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("clamp_reaction")->first_column]));
   EXPECT_TRUE(std::isnan(seen.rows.back()[layout.find("tool_reaction")->first_column]));

@@ -31,7 +31,7 @@ class CoupledRun : public RecordedRun {
     scenario.force = {
         {.name = "other", .model = ForceModel::linear_elastic, .coefficients = {.k = 10}},
         {.name = "felt", .model = ForceModel::hunt_crossley, .coefficients = {.k = 200, .lambda = 50}}};
-    scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
+    scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 
   std::size_t column(const char* series) const { return layout.find(series)->first_column; }

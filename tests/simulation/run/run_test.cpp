@@ -77,7 +77,7 @@ class RunTest : public testing::Test {
     rest.hold_s = 0.05;
     tool.motion = ScriptMotion{.start_m = Vec3(0, 0.1, 0), .segments = {down, rest}};
     scenario.tools = {tool};
-    scenario.pipelines = {{.name = "full", .pipeline = "fukuhara"}};
+    scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 
   RunStatus execute() {

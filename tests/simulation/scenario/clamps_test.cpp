@@ -72,7 +72,7 @@ TEST_F(Clamps, EveryFieldIsReadAndWrittenBack) {
   EXPECT_EQ(script.start_opening_deg, 30);
   EXPECT_EQ(script.segments[0].openTo(), 10);
   EXPECT_EQ(std::get<ReplayMotion>(gripper.motion).opening,
-            (DeviceOpening{"z", 0.09, 0.12, 0.05, std::nullopt}));
+            (DeviceOpening{DeviceAxis::z, 0.09, 0.12, 0.05, std::nullopt}));
 }
 
 TEST_F(Clamps, AreTwoRigidToolsOfTheirNames) {

@@ -47,7 +47,7 @@ TEST_F(Base, ListsOfNamedItemsMergeByName) {
   EXPECT_EQ(s.bodies[1].name, "cube");
   // A pipeline without a name is called after its pipeline.
   ASSERT_EQ(s.pipelines.size(), 2u);
-  EXPECT_EQ(s.pipelines[0].settings, "tuned");
+  EXPECT_EQ(s.pipelines[0].settings, SettingsPreset::tuned);
   EXPECT_EQ(s.pipelines[0].sdf_voxel_m, 0.01);
 }
 
@@ -146,7 +146,7 @@ TEST_F(SetValue, ReplacesValuesByKeysNamesAndIndices) {
   EXPECT_EQ(with("bodies.ball.mass_kg", "7").bodies[0].mass_kg, 7);
   EXPECT_EQ(with("bodies.0.mass_kg", "7").bodies[0].mass_kg, 7);
   EXPECT_EQ(with("pipelines.full.sweeps", "20").pipelines[1].sweeps, 20);
-  EXPECT_EQ(with("pipelines.default.settings", "stock").pipelines[0].settings, "stock");
+  EXPECT_EQ(with("pipelines.default.settings", "stock").pipelines[0].settings, SettingsPreset::stock);
   EXPECT_EQ(with("force.hc.lambda", "1").force[0].coefficients.lambda, 1);
 }
 

@@ -25,7 +25,7 @@ struct IsList<std::vector<T>> : std::true_type {};
 template <class T, std::size_t N>
 struct IsList<std::array<T, N>> : std::true_type {};
 
-/// Collects the keys of all numbers, whether or not they apply: an Io of scenario/fields_shapes.h.
+/// Collects the keys of all numbers, whether or not they apply: an Io of scenario/fields.h.
 class NumberKeys {
  public:
   const std::set<std::string>& keys() const { return keys_; }
@@ -58,10 +58,11 @@ class NumberKeys {
   template <class T>
   void choice(const char*, T&, const std::vector<CatalogEntry>&) {}
   template <class T>
-  void requiredChoice(const char*, T&, const std::vector<CatalogEntry>&) {}
+  void requiredChoice(const char*, T&, const std::vector<CatalogEntry>&, const char* = nullptr) {}
   template <class T>
   void choiceIf(bool, const char*, const char*, T&, const std::vector<CatalogEntry>&) {}
-  void choices(const char*, std::vector<std::string>&, const std::vector<CatalogEntry>&) {}
+  template <class T>
+  void choices(const char*, std::vector<T>&, const std::vector<CatalogEntry>&) {}
   template <class Fill>
   void whileReading(Fill) {}
   void nameOr(const char*, std::string&, const char*) {}

@@ -89,10 +89,12 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
-  for (const auto* table : {&c.pipelines, &c.force_laws, &c.tissues, &c.body_shapes, &c.tool_shapes,
-                            &c.clamp_openings, &c.node_placements, &c.motions, &c.timings, &c.interpolations,
-                            &c.settings, &c.precisions, &c.responses, &c.length_units, &c.rates,
-                            &c.deformations, &c.aero_models, &c.soft_contacts, &c.mesh_repairs}) {
+  for (const auto* table :
+       {&c.pipelines,      &c.force_laws,      &c.tissues,       &c.body_shapes,  &c.tool_shapes,
+        &c.clamp_openings, &c.node_placements, &c.motions,       &c.timings,      &c.interpolations,
+        &c.settings,       &c.precisions,      &c.responses,     &c.length_units, &c.rates,
+        &c.deformations,   &c.aero_models,     &c.soft_contacts, &c.mesh_repairs, &c.device_axes,
+        &c.log_layouts,    &c.device_frames}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));
@@ -123,6 +125,32 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   ASSERT_EQ(c.motions.size(), std::variant_size_v<Motions>);
   EXPECT_EQ(at(c.motions, Motions(ScriptMotion{}).index()), "script");
   EXPECT_EQ(at(c.motions, Motions(ReplayMotion{}).index()), "replay");
+  EXPECT_EQ(at(c.device_axes, DeviceAxis::x), "x");
+  EXPECT_EQ(at(c.device_axes, DeviceAxis::z), "z");
+  EXPECT_EQ(at(c.node_placements, NodePlacement::grid), "grid");
+  EXPECT_EQ(at(c.node_placements, NodePlacement::centroids), "centroids");
+  EXPECT_EQ(at(c.precisions, Precision::f64), "f64");
+  EXPECT_EQ(at(c.precisions, Precision::f32), "f32");
+  EXPECT_EQ(at(c.settings, SettingsPreset::stock), "stock");
+  EXPECT_EQ(at(c.settings, SettingsPreset::tuned), "tuned");
+  EXPECT_EQ(at(c.responses, ContactResponse::none), "none");
+  EXPECT_EQ(at(c.responses, ContactResponse::momentum), "momentum");
+  EXPECT_EQ(at(c.soft_contacts, SoftContact::none), "none");
+  EXPECT_EQ(at(c.soft_contacts, SoftContact::vertices), "vertices");
+  EXPECT_EQ(at(c.soft_contacts, SoftContact::clusters), "clusters");
+  EXPECT_EQ(at(c.aero_models, AeroModel::V_Point), "V_Point");
+  EXPECT_EQ(at(c.aero_models, AeroModel::V_TwoSided), "V_TwoSided");
+  EXPECT_EQ(at(c.aero_models, AeroModel::V_TwoSidedLiftDrag), "V_TwoSidedLiftDrag");
+  EXPECT_EQ(at(c.aero_models, AeroModel::V_OneSided), "V_OneSided");
+  EXPECT_EQ(at(c.aero_models, AeroModel::F_TwoSided), "F_TwoSided");
+  EXPECT_EQ(at(c.aero_models, AeroModel::F_TwoSidedLiftDrag), "F_TwoSidedLiftDrag");
+  EXPECT_EQ(at(c.aero_models, AeroModel::F_OneSided), "F_OneSided");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::drop_degenerate), "drop_degenerate");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::drop_duplicate_faces), "drop_duplicate_faces");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::keep_largest_shell), "keep_largest_shell");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::drop_unreferenced), "drop_unreferenced");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::orient), "orient");
+  EXPECT_EQ(at(c.mesh_repairs, MeshRepair::cap_holes), "cap_holes");
   EXPECT_EQ(at(c.timings, Timing::constant), "constant");
   EXPECT_EQ(at(c.timings, Timing::trapezoidal), "trapezoidal");
   EXPECT_EQ(at(c.timings, Timing::minimum_jerk), "minimum_jerk");
@@ -139,7 +167,7 @@ TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {
     const Scenario s =
         parseScenario(smallest_text, "a.yaml", {{"pipelines", "[{pipeline: " + quoted + "}]"}}).scenario;
     EXPECT_EQ(s.pipelines.at(0).name, entry.name);
-    EXPECT_EQ(s.pipelines.at(0).pipeline, entry.name);
+    EXPECT_EQ(s.pipelines.at(0).traits().name, entry.name);
   }
   for (const CatalogEntry& entry : catalog().force_laws) {
     const std::string law = "[{model: " + std::string(entry.name) + "}]";
@@ -149,37 +177,37 @@ TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {
 
 TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
   PipelineSettings p;
-  p.pipeline = "default";
+  p.pipeline = PipelineKind::default_sdf;
   EXPECT_EQ(p.sdfVoxel_m(), 0.25);
   EXPECT_EQ(p.kinematicHardness(), 0.1);
-  p.settings = "tuned";
+  p.settings = SettingsPreset::tuned;
   EXPECT_EQ(p.sdfVoxel_m(), 0.0005);
   EXPECT_EQ(p.kinematicHardness(), 1.0);
   p.sdf_voxel_m = 0.01;
   EXPECT_EQ(p.sdfVoxel_m(), 0.01);
   EXPECT_FALSE(p.usesNodes());
   EXPECT_TRUE(p.usesSdf());
-  for (const char* name : {"raycast", "fukuhara"}) {
-    p.pipeline = name;
+  for (const PipelineKind rays : {PipelineKind::raycast, PipelineKind::fukuhara}) {
+    p.pipeline = rays;
     EXPECT_TRUE(p.usesNodes());
     EXPECT_FALSE(p.usesSdf());
   }
-  p.pipeline = "prescribed";
+  p.pipeline = PipelineKind::prescribed;
   EXPECT_FALSE(p.usesNodes());
   EXPECT_FALSE(p.usesSdf());
 }
 
 TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
   PipelineSettings p;
-  p.pipeline = "fukuhara";
-  EXPECT_EQ(p.contactResponse(), "momentum");
-  p.response = "none";
-  EXPECT_EQ(p.contactResponse(), "none");
+  p.pipeline = PipelineKind::fukuhara;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::momentum);
+  p.response = ContactResponse::none;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::none);
   p.response.reset();
-  p.pipeline = "raycast";
-  EXPECT_EQ(p.contactResponse(), "none");
+  p.pipeline = PipelineKind::raycast;
+  EXPECT_EQ(p.contactResponse(), ContactResponse::none);
   p.fillDefaults();
-  EXPECT_EQ(p.response, "none") << "a stored scenario says it";
+  EXPECT_EQ(p.response, ContactResponse::none) << "a stored scenario says it";
 }
 
 }  // namespace

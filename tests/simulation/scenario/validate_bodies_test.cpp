@@ -64,7 +64,6 @@ TEST(Validate, ClusterSettingsAndSoftContact) {
   };
   using C = ClusterSettings;
   expectProblems({
-      {"bodies.ball.soft_contact", [](Scenario& s) { s.bodies[0].soft_contact = "vertex"; }},
       {"bodies.ball.clusters.count", clusters(&C::count, -1)},
       {"bodies.ball.clusters.count", clusters(&C::count, 65537)},
       {"bodies.ball.clusters.iterations", clusters(&C::iterations, 0)},
@@ -173,7 +172,7 @@ TEST(Validate, MeshFiles) {
   Scenario s = full();
   FileShape shape;
   shape.file = "organ.stl";
-  shape.repairs = {"orient", "cap_holes"};
+  shape.repairs = {MeshRepair::orient, MeshRepair::cap_holes};
   shape.max_edge_m = 0.01;
   s.bodies[0].shape = shape;
   EXPECT_TRUE(validate(s).empty());
@@ -187,8 +186,7 @@ TEST(Validate, MeshFiles) {
   EXPECT_EQ(problem([](FileShape& f) { f.file = ""; }), path + "file");
   EXPECT_EQ(problem([](FileShape& f) { f.weld_tolerance_m = -1e-6; }), path + "weld_tolerance_m");
   EXPECT_EQ(problem([](FileShape& f) { f.weld_tolerance_m = nan; }), path + "weld_tolerance_m");
-  EXPECT_EQ(problem([](FileShape& f) { f.repairs[1] = "polish"; }), path + "repairs.1");
-  EXPECT_EQ(problem([](FileShape& f) { f.repairs[1] = "orient"; }), path + "repairs.1");
+  EXPECT_EQ(problem([](FileShape& f) { f.repairs[1] = MeshRepair::orient; }), path + "repairs.1");
   EXPECT_EQ(problem([](FileShape& f) { f.max_edge_m = 0; }), path + "max_edge_m");
   EXPECT_EQ(problem([](FileShape& f) { f.max_edge_m = infinity; }), path + "max_edge_m");
 }

@@ -32,7 +32,8 @@ inline Scenario full() {
   hand.motion = replay;
   s.tools = {blade, hand};
   PipelineSettings fukuhara;
-  fukuhara.name = fukuhara.pipeline = "fukuhara";
+  fukuhara.name = "fukuhara";
+  fukuhara.pipeline = PipelineKind::fukuhara;
   s.pipelines.push_back(fukuhara);
   s.force = {{"hc", ForceModel::hunt_crossley}};
   s.record.snapshots_every_s = 0.01;

@@ -64,13 +64,9 @@ TEST(Validate, World) {
 TEST(Validate, PipelinesForcesAndRecords) {
   expectProblems({
       {"pipelines.1.name", [](Scenario& s) { s.pipelines[1].name = "default"; }},
-      {"pipelines.default.pipeline", [](Scenario& s) { s.pipelines[0].pipeline = "defualt"; }},
-      {"pipelines.default.precision", [](Scenario& s) { s.pipelines[0].precision = "f16"; }},
-      {"pipelines.default.settings", [](Scenario& s) { s.pipelines[0].settings = "best"; }},
       {"pipelines.default.sdf_voxel_m", [](Scenario& s) { s.pipelines[0].sdf_voxel_m = 0; }},
       {"pipelines.default.kinematic_hardness", [](Scenario& s) { s.pipelines[0].kinematic_hardness = 2; }},
       {"pipelines.fukuhara.ray_length_m", [](Scenario& s) { s.pipelines[1].ray_length_m = -1; }},
-      {"pipelines.fukuhara.response", [](Scenario& s) { s.pipelines[1].response = "soft"; }},
       {"pipelines.fukuhara.sweeps", [](Scenario& s) { s.pipelines[1].sweeps = 0; }},
       {"pipelines.fukuhara.sweeps", [](Scenario& s) { s.pipelines[1].sweeps = 1001; }},
       {"pipelines.fukuhara.max_displacement_m", [](Scenario& s) { s.pipelines[1].max_displacement_m = 0; }},
@@ -154,20 +150,22 @@ TEST(Validate, RefusesAbsurdAmounts) {
 // Friction is a share of a force, and contacts that only displace have none. The other pipelines have theirs.
 TEST(Validate, FrictionNeedsAResponseThatHasAForce) {
   Scenario s = full();
-  for (const char* pipeline : {"default", "null", "cluster", "fukuhara", "prescribed"}) {
-    s.pipelines = {{.name = "p", .pipeline = pipeline}};
+  for (const PipelineTraits& pipeline : pipeline_table) {
+    if (pipeline.kind == PipelineKind::raycast) continue;
+    s.pipelines = {{.name = "p", .pipeline = pipeline.kind}};
     s.tools[0].friction = 0.5;
-    EXPECT_TRUE(validate(s).empty()) << pipeline;
+    EXPECT_TRUE(validate(s).empty()) << pipeline.name;
   }
   for (const PipelineSettings& entry :
-       {PipelineSettings{.name = "p", .pipeline = "raycast"},
-        PipelineSettings{.name = "p", .pipeline = "fukuhara", .response = "none"}}) {
+       {PipelineSettings{.name = "p", .pipeline = PipelineKind::raycast},
+        PipelineSettings{
+            .name = "p", .pipeline = PipelineKind::fukuhara, .response = ContactResponse::none}}) {
     s.pipelines = {entry};
     s.tools[0].friction = 0.5;
-    ASSERT_EQ(validate(s).size(), 1u) << entry.pipeline;
+    ASSERT_EQ(validate(s).size(), 1u) << entry.traits().name;
     EXPECT_EQ(validate(s)[0].path, "tools.blade.friction");
     s.tools[0].friction = 0;
-    EXPECT_TRUE(validate(s).empty()) << entry.pipeline;
+    EXPECT_TRUE(validate(s).empty()) << entry.traits().name;
   }
 }
 

@@ -131,7 +131,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   const BodySettings& ball = s.bodies[0];
   EXPECT_EQ(ball.material, (MaterialSettings{0.1, 0.2, 0.3}));
   EXPECT_EQ(ball.solver, (SolverSettings{0.9, 0.1, 0.2, 0.3, -4, 0.5, 0.6, 0.7, 0.8, 0.85, 0.95, 1.1, 1.2, 1,
-                                         2, 3, "F_OneSided"}));
+                                         2, 3, AeroModel::F_OneSided}));
   EXPECT_EQ(ball, (BodySettings{"ball",
                                 SphereShape{0.031, 1},
                                 {1, 2, 3},
@@ -143,7 +143,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                 false,
                                 false,
                                 false,
-                                "vertices",
+                                SoftContact::vertices,
                                 ball.fixed,
                                 ball.material,
                                 ball.solver,
@@ -156,13 +156,32 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
   EXPECT_EQ(std::get<LobesShape>(s.bodies[3].shape), (LobesShape{{0.1, 0.2, 0.3}, 0.12, 0.01, 0.07}));
-  EXPECT_EQ(s.pipelines[0],
-            (PipelineSettings{"a", "default", "f64", "tuned", 0.002, 0.3, {}, {}, {}, 30, 0.005, 9}));
+  EXPECT_EQ(s.pipelines[0], (PipelineSettings{"a",
+                                              PipelineKind::default_sdf,
+                                              Precision::f64,
+                                              SettingsPreset::tuned,
+                                              0.002,
+                                              0.3,
+                                              {},
+                                              {},
+                                              {},
+                                              30,
+                                              0.005,
+                                              9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
-  EXPECT_EQ(s.pipelines[1].precision, "f32");
-  EXPECT_EQ(
-      s.pipelines[2],
-      (PipelineSettings{"b", "raycast", "f64", "stock", {}, {}, 0.06, true, "momentum", 11, 0.02, 3600}));
+  EXPECT_EQ(s.pipelines[1].precision, Precision::f32);
+  EXPECT_EQ(s.pipelines[2], (PipelineSettings{"b",
+                                              PipelineKind::raycast,
+                                              Precision::f64,
+                                              SettingsPreset::stock,
+                                              {},
+                                              {},
+                                              0.06,
+                                              true,
+                                              ContactResponse::momentum,
+                                              11,
+                                              0.02,
+                                              3600}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
                 {.name = "hc",

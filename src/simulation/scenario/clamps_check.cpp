@@ -109,8 +109,6 @@ void checkOpenings(Checker check, const ReplayMotion& motion, const std::optiona
   if (!clamp) return check.fail("opening", "is given for a tool that does not open, expected a clamp");
   Checker opening = check.in("opening");
   const DeviceOpening& device = *motion.opening;
-  const bool axis = device.axis == "x" || device.axis == "y" || device.axis == "z";
-  opening.require(axis, "axis", "is \"" + device.axis + "\", expected an axis of the device: x, y or z");
   opening.finite("closed_device_m", device.closed_device_m);
   opening.finite("open_device_m", device.open_device_m);
   opening.require(device.open_device_m != device.closed_device_m, "open_device_m",

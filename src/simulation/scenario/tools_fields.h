@@ -1,17 +1,19 @@
 #pragma once
 
 #include "scenario/catalog.h"
-#include "scenario/fields_clamps.h"
+#include "scenario/clamps_fields.h"
+#include "scenario/motions_fields.h"
+#include "scenario/shapes_fields.h"
 #include "scenario/tools.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: tools.
+// The keys of a tool (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, NodeSettings& n) {
   io.choice("placement", n.placement, catalog().node_placements);
-  const bool grid = n.placement == "grid";
+  const bool grid = n.placement == NodePlacement::grid;
   io.fieldIf(grid, "placement grid", "resolution", n.resolution);
   io.fieldIf(grid, "placement grid", "narrow_rows", n.narrow_rows);
   io.fieldIf(!grid, "placement centroids", "max_spacing_m", n.max_spacing_m);

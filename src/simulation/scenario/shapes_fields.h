@@ -1,22 +1,11 @@
 #pragma once
 
-#include <array>
-
 #include "scenario/catalog.h"
-#include "scenario/scenario.h"
+#include "scenario/shapes.h"
 
 namespace fissure {
 
-// The keys of every map of a scenario file, once, in the order in which they are written. MapReader and
-// MapWriter are the two kinds of Io: what one writes, the other reads.
-//   io.required(key, value)            must be in the file
-//   io.field(key, value)               may be left out: the struct's default, or no value, stands
-//   io.fieldIf(applies, when, key, value)   has a meaning only if `applies`; an error elsewhere
-//   io.choice / io.requiredChoice      a name from a table of the catalog
-//   io.choices(key, values, table)     a list of such names, which may be left out
-//   io.tagged(key, value, table)       a map whose `type` names the alternative
-//   io.whileReading(fill)              sets the defaults of keys that follow by those before
-//   io.nameOr(key, value, other_key)   a name that may be left out: then what `other_key` says
+// The keys of a shape (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, SphereShape& s) {

@@ -3,7 +3,6 @@
 #include <set>
 #include <string>
 
-#include "scenario/catalog.h"
 #include "scenario/checker.h"
 
 namespace fissure {
@@ -34,7 +33,7 @@ void checkSegment(Checker check, const MotionSegment& segment, const Vec3& from)
   check.require(ramp > 0 && ramp <= 0.5, "ramp_fraction", "expected a number above 0 and at most 0.5");
 }
 
-void checkMotion(Checker check, const ScriptMotion& motion) {
+void checkPath(Checker check, const ScriptMotion& motion, const std::optional<ClampSettings>& clamp) {
   check.finite("start_m", motion.start_m);
   check.unit("start_orientation", motion.start_orientation);
   Vec3 from = motion.start_m;
@@ -42,6 +41,7 @@ void checkMotion(Checker check, const ScriptMotion& motion) {
     checkSegment(check.in("segments." + std::to_string(i)), motion.segments[i], from);
     from = motion.segments[i].move_to_m.value_or(from);
   }
+  checkOpenings(check, motion, clamp);
 }
 
 /// Determinant of the signed permutation that `axes` says, 0 if it is none.
@@ -70,7 +70,7 @@ void checkColumns(Checker check, const ReplayMotion& motion) {
   }
 }
 
-void checkMotion(Checker check, const ReplayMotion& motion) {
+void checkPath(Checker check, const ReplayMotion& motion, const std::optional<ClampSettings>& clamp) {
   check.require(!motion.file.empty(), "file", "is empty, expected the name of a log");
   check.require(motion.time_column.has_value() != motion.rate_hz.has_value(), "",
                 motion.layout == LogLayout::rows
@@ -93,56 +93,13 @@ void checkMotion(Checker check, const ReplayMotion& motion) {
   }
   check.positive("max_gap_s", motion.max_gap_s);
   check.positive("jump_m", motion.jump_m);
+  checkOpenings(check, motion, clamp);
 }
 
 }  // namespace
 
-double scriptDuration(const ScriptMotion& motion) {
-  double duration_s = 0;
-  Vec3 from = motion.start_m;
-  for (const MotionSegment& segment : motion.segments) {
-    const Vec3 to = segment.move_to_m.value_or(from);
-    if (segment.hold_s) {
-      duration_s += *segment.hold_s;
-    } else if (segment.duration_s) {
-      duration_s += *segment.duration_s;
-    } else {
-      duration_s += (to - from).norm() / segment.speed_m_s.value();
-    }
-    from = to;
-  }
-  return duration_s;
-}
-
-void checkTool(Checker check, const ToolSettings& tool) {
-  checkShape(check.in("shape"), tool.shape);
-  Checker nodes = check.in("nodes");
-  const std::string placement = tool.nodePlacement();
-  nodes.oneOf("placement", placement, catalog().node_placements);
-  const bool left_box =
-      !tool.clamp || !tool.clamp->left_jaw || std::holds_alternative<BoxShape>(tool.clamp->left_jaw->shape);
-  nodes.require(placement != "grid" || (std::holds_alternative<BoxShape>(tool.shape) && left_box),
-                "placement", "is grid, expected centroids: only a box has large faces for a grid");
-  for (const int count : tool.nodes.resolution) nodes.between("resolution", count, 1, 512);
-  nodes.between("narrow_rows", tool.nodes.narrow_rows, 0, 512);
-  if (tool.nodes.max_spacing_m) nodes.positive("max_spacing_m", *tool.nodes.max_spacing_m);
-  nodes.positive("pairing_limit", tool.nodes.pairing_limit);
-  check.notNegative("friction", tool.friction);
-  if (tool.force_limit_N) check.positive("force_limit_N", *tool.force_limit_N);
-  if (tool.coupling) {
-    Checker coupling = check.in("coupling");
-    coupling.positive("mass_kg", tool.coupling->mass_kg);
-    coupling.positive("stiffness_N_m", tool.coupling->stiffness_N_m);
-    coupling.notNegative("damping_N_s_m", tool.coupling->damping_N_s_m);
-    coupling.require(!tool.clamp, "", "is given for a clamp, expected a tool that does not open");
-  }
-  if (tool.clamp) checkClamp(check.in("clamp"), tool);
-  std::visit(
-      [&](const auto& motion) {
-        checkMotion(check.in("motion"), motion);
-        checkOpenings(check.in("motion"), motion, tool.clamp);
-      },
-      tool.motion);
+void checkMotion(Checker check, const ToolMotion& motion, const std::optional<ClampSettings>& clamp) {
+  std::visit([&](const auto& alternative) { checkPath(check, alternative, clamp); }, motion);
 }
 
 }  // namespace fissure

@@ -1,10 +1,12 @@
 #pragma once
 
-#include "scenario/fields_shapes.h"
+#include "scenario/bodies.h"
+#include "scenario/catalog.h"
+#include "scenario/shapes_fields.h"
 
 namespace fissure {
 
-// Continues scenario/fields_shapes.h: bodies, what surrounds them, what is recorded and measured.
+// The keys of a body (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, MaterialSettings& m) {
@@ -87,57 +89,6 @@ void describe(Io& io, BodySettings& b) {
   io.field("solver", b.solver);
   io.field("clusters", b.clusters);
   io.field("gauges", b.gauges);
-}
-
-template <class Io>
-void describe(Io& io, TimeSettings& t) {
-  io.field("step_s", t.step_s);
-  io.field("settle_s", t.settle_s);
-  io.field("duration_s", t.duration_s);
-}
-
-template <class Io>
-void describe(Io& io, WorldSettings& w) {
-  io.field("gravity_m_s2", w.gravity_m_s2);
-  io.field("air_density_kg_m3", w.air_density_kg_m3);
-  io.field("max_displacement_m", w.max_displacement_m);
-}
-
-template <class Io>
-void describe(Io& io, GroundSettings& g) {
-  io.field("height_m", g.height_m);
-  io.field("friction", g.friction);
-  io.field("hardness", g.hardness);
-}
-
-template <class Io>
-void describe(Io& io, CameraSettings& c) {
-  io.field("position_m", c.position_m);
-  io.field("look_at_m", c.look_at_m);
-  io.field("up", c.up);
-  io.field("field_of_view_deg", c.field_of_view_deg);
-}
-
-template <class Io>
-void describe(Io& io, FrameSettings& f) {
-  std::array<int, 2> size_px{f.width_px, f.height_px};
-  io.field("every_s", f.every_s);
-  io.field("size_px", size_px);
-  io.field("camera", f.camera);
-  f.width_px = size_px[0];
-  f.height_px = size_px[1];
-}
-
-template <class Io>
-void describe(Io& io, RecordSettings& r) {
-  io.field("snapshots_every_s", r.snapshots_every_s);
-  io.field("frames", r.frames);
-  io.field("force_inputs", r.force_inputs);
-}
-
-template <class Io>
-void describe(Io& io, MeasureSettings& m) {
-  io.field("sample_spacing_m", m.sample_spacing_m);
 }
 
 }  // namespace fissure

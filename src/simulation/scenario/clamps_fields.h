@@ -2,10 +2,11 @@
 
 #include "scenario/catalog.h"
 #include "scenario/clamps.h"
+#include "scenario/shapes_fields.h"
 
 namespace fissure {
 
-// Continues scenario/fields_world.h: clamps.
+// The keys of a clamp (scenario/fields.h says how keys are described).
 
 template <class Io>
 void describe(Io& io, ClampPart& p) {
@@ -29,7 +30,7 @@ void describe(Io& io, ClampSettings& c) {
 
 template <class Io>
 void describe(Io& io, DeviceOpening& o) {
-  io.required("axis", o.axis);
+  io.requiredChoice("axis", o.axis, catalog().device_axes, "an axis of the device: x, y or z");
   io.required("closed_device_m", o.closed_device_m);
   io.required("open_device_m", o.open_device_m);
   io.field("open_m", o.open_m);

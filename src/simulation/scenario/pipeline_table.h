@@ -1,0 +1,111 @@
+#pragma once
+
+#include <array>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "base/contact_response.h"
+
+namespace fissure {
+
+/// A collision pipeline: how tools meet tissue. `default_sdf` is called "default" and `null_sdf` "null" in
+/// files.
+enum class PipelineKind { default_sdf, null_sdf, cluster, raycast, fukuhara, prescribed };
+
+/// What finds the contacts of a pipeline.
+enum class ContactDetection {
+  sdf,       ///< Bullet tests tissue vertices against the tool's signed distance field
+  clusters,  ///< Bullet tests clusters of tissue vertices against the tool
+  nodes,     ///< rays cast from nodes on the tool; what the contacts then do is the run's `response`
+  sticking,  ///< tissue vertices that a tool reaches are held by it
+};
+
+/// What a pipeline needs of every rigid tool.
+enum class ToolNeed {
+  convex_and_closed,  ///< a surface that bounds a convex solid
+  box,
+  nodes,  ///< a surface on which at least one node can stand
+};
+
+/// The values of Bullet's own contact that `settings` chooses together.
+struct BulletTuning {
+  double sdf_voxel_m = 0;
+  double kinematic_hardness = 0;
+  int least_cluster_iterations = 1;  ///< a body's own number counts where it is larger
+};
+
+inline constexpr BulletTuning stock_tuning{.sdf_voxel_m = 0.25, .kinematic_hardness = 0.1};
+inline constexpr BulletTuning fine_tuning{.sdf_voxel_m = 0.0005, .kinematic_hardness = 1.0};
+inline constexpr BulletTuning fine_cluster_tuning{
+    .sdf_voxel_m = 0.0005, .kinematic_hardness = 1.0, .least_cluster_iterations = 20};
+
+/// Everything about a pipeline that is known without running it.
+struct PipelineTraits {
+  PipelineKind kind;
+  std::string_view name;         ///< in files, results and messages
+  std::string_view description;  ///< one line, for people; results store it
+  ContactDetection detection;
+  ToolNeed need;
+  /// Whether infeasible pairs of nodes are excluded (step two of the method); for detection by nodes only.
+  bool association = false;
+  /// What a run of the scenario does where it says nothing else; for detection by nodes only.
+  bool vertex_contacts = false;
+  ContactResponse response = ContactResponse::none;
+  /// What settings "stock" and "tuned" mean for this pipeline.
+  BulletTuning stock = stock_tuning;
+  BulletTuning tuned = fine_tuning;
+};
+
+/// Every pipeline, in the order of PipelineKind. Reading, writing, validation, `list`, the plan and stored
+/// descriptions read this table; the engine has a factory for each entry (engine/pipeline.h).
+inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
+    {.kind = PipelineKind::default_sdf,
+     .name = "default",
+     .description =
+         "Bullet's own soft-rigid contact: tissue vertices against the tool's signed distance field",
+     .detection = ContactDetection::sdf,
+     .need = ToolNeed::convex_and_closed},
+    {.kind = PipelineKind::null_sdf,
+     .name = "null",
+     .description = "(write it in quotes) default behind a detector of ours that only delegates; must equal "
+                    "default bit for bit",
+     .detection = ContactDetection::sdf,
+     .need = ToolNeed::convex_and_closed},
+    {.kind = PipelineKind::cluster,
+     .name = "cluster",
+     .description = "Bullet's own contact of clusters: pieces of tissue against the convex tool (GJK)",
+     .detection = ContactDetection::clusters,
+     .need = ToolNeed::convex_and_closed,
+     .tuned = fine_cluster_tuning},
+    {.kind = PipelineKind::raycast,
+     .name = "raycast",
+     .description =
+         "node ray casting and enforced displacement, without node association (paper, Fig. 3 right)",
+     .detection = ContactDetection::nodes,
+     .need = ToolNeed::nodes},
+    {.kind = PipelineKind::fukuhara,
+     .name = "fukuhara",
+     .description = "the full method: node ray casting, infeasible pairs excluded, contacts as impulses",
+     .detection = ContactDetection::nodes,
+     .need = ToolNeed::nodes,
+     .association = true,
+     .vertex_contacts = true,
+     .response = ContactResponse::momentum},
+    {.kind = PipelineKind::prescribed,
+     .name = "prescribed",
+     .description =
+         "reference without contact detection: tissue vertices that a box tool reaches stick to it",
+     .detection = ContactDetection::sticking,
+     .need = ToolNeed::box},
+});
+
+constexpr const PipelineTraits& traitsOf(PipelineKind kind) {
+  return pipeline_table[static_cast<std::size_t>(kind)];
+}
+
+/// The names of the pipelines with one of these detections, for messages: "pipelines default, null and
+/// cluster", or "pipeline cluster".
+std::string pipelinesWith(std::initializer_list<ContactDetection> detections);
+
+}  // namespace fissure

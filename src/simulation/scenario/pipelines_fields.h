@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "scenario/catalog.h"
+#include "scenario/pipelines.h"
+
+namespace fissure {
+
+// The keys of an entry of `pipelines:` (scenario/fields.h says how keys are described).
+
+template <class Io>
+void describe(Io& io, PipelineSettings& p) {
+  io.nameOr("name", p.name, "pipeline");
+  io.requiredChoice("pipeline", p.pipeline, catalog().pipelines);
+  io.choice("precision", p.precision, catalog().precisions);
+  using enum ContactDetection;
+  const bool rays = p.usesNodes();
+  const std::string with_bullet = pipelinesWith({sdf, clusters}), with_sdf = pipelinesWith({sdf}),
+                    with_rays = pipelinesWith({nodes});
+  const char *sdf_only = with_sdf.c_str(), *rays_only = with_rays.c_str();
+  io.choiceIf(p.usesSdf() || p.usesClusters(), with_bullet.c_str(), "settings", p.settings,
+              catalog().settings);
+  io.fieldIf(p.usesSdf(), sdf_only, "sdf_voxel_m", p.sdf_voxel_m);
+  io.fieldIf(p.usesSdf(), sdf_only, "kinematic_hardness", p.kinematic_hardness);
+  io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);
+  io.fieldIf(rays, rays_only, "vertex_contacts", p.vertex_contacts);
+  io.choiceIf(rays, rays_only, "response", p.response, catalog().responses);
+  io.fieldIf(rays, rays_only, "sweeps", p.sweeps);
+  io.fieldIf(rays, rays_only, "max_displacement_m", p.max_displacement_m);
+  io.field("time_limit_s", p.time_limit_s);
+}
+
+}  // namespace fissure
