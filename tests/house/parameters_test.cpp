@@ -197,7 +197,7 @@ TEST(Parameters, FunctionsOfContactHaveFiveAtMost) {
     for (const Declared& function : declaredIn(code)) names.insert(function.name);
   }
   for (const char* known : {"NodeContact", "step", "cast", "hitOnPath", "find", "apply", "rub", "move",
-                            "boxEntryFace", "makeHuntCrossley", "intersect", "extentOf"})
+                            "boxEntryFace", "makeCentroidNodes", "intersect", "extentOf"})
     EXPECT_TRUE(names.contains(known)) << known << " was not seen";
   EXPECT_GT(names.size(), 80u) << "the sources were not understood";
 }

@@ -28,9 +28,8 @@ class CoupledRun : public RecordedRun {
     tool.motion =
         ScriptMotion{.start_m = Vec3(0, 0.066, 0), .segments = {moves(Vec3(0, 0.05, 0), 0.2), holds(1)}};
     scenario.tools = {tool};
-    scenario.force = {
-        {.name = "other", .model = ForceModel::linear_elastic, .coefficients = {.k = 10}},
-        {.name = "felt", .model = ForceModel::hunt_crossley, .coefficients = {.k = 200, .lambda = 50}}};
+    scenario.force = {{.name = "other", .model = ForceModel::linear_elastic, .coefficients = {.k = 10}},
+                      {.name = "felt", .model = ForceModel::hunt_crossley}};
     scenario.pipelines = {{.name = "full", .pipeline = PipelineKind::fukuhara}};
   }
 

@@ -163,7 +163,7 @@ TEST_F(Choices, EachShapeIsReadValidatedAndWrittenBackForBodiesAndTools) {
 
 TEST_F(Choices, EachShapeHasAGoodSurfaceOfAsManyTrianglesAsItPromises) {
   for (const SurfaceShape& shape : shapes()) {
-    const TriangleMesh surface = makeSurface(shape, folder_);
+    const TriangleMesh surface = makeSurface(shape, SurfaceFiles(folder_));
     const std::string name(catalog().body_shapes[shape.index()].name);
     EXPECT_TRUE(inspectSurface(surface).empty()) << name;
     EXPECT_EQ(trianglesOf(shape).has_value(), !std::holds_alternative<FileShape>(shape)) << name;
