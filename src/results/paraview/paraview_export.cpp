@@ -45,7 +45,7 @@ std::vector<std::string> exportNames(const std::string& run, const MovingMeshes&
   return names;
 }
 
-void exportRun(const fs::path& folder, const std::string& run, const MovingMeshes& meshes, bool tidy) {
+void exportRun(const fs::path& folder, const std::string& run, const MovingMeshes& meshes, bool remove_stale) {
   std::vector<std::string> files = exportNames(run, meshes);
   const std::string document = files.back();
   files.pop_back();
@@ -65,7 +65,7 @@ void exportRun(const fs::path& folder, const std::string& run, const MovingMeshe
   } catch (const RunError& error) {
     throw RunError((folder / file).string() + ": " + error.what());
   }
-  if (!tidy) return;
+  if (!remove_stale) return;
   std::error_code ignored;
   for (const char* mesh : mesh_names)
     if (const std::string name = meshFile(run, mesh);
