@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "text/scalars.h"
 
 namespace fissure {
 
@@ -35,8 +36,8 @@ void noteScenarios(const ResultInfo& a, const ResultInfo& b, std::vector<std::st
     if (!more_a && !more_b) return;
     if (more_a == more_b && line_a == line_b) continue;
     const auto shown = [](bool there, const std::string& text) {
-      return there ? "\"" + text.substr(std::min(text.find_first_not_of(' '), text.size())) + "\""
-                   : "its end";
+      return there ? inQuotes(text.substr(std::min(text.find_first_not_of(' '), text.size())))
+                   : std::string("its end");
     };
     notes.push_back("the resolved scenarios differ, first in line " + std::to_string(line) + ": " +
                     shown(more_a, line_a) + " against " + shown(more_b, line_b));

@@ -59,8 +59,8 @@ std::string blockText(ForceModel law, const CurveFit& fit) {
 std::string tableText(ForceModel law, const std::vector<CurveFit>& fits) {
   std::vector<TextRow> rows(1, {"curve", "points"});
   for (const FitParameter parameter : parametersOf(law)) {
-    rows[0].push_back(nameOf(law, parameter) +
-                      (unitOf(law, parameter) == "1" ? "" : " " + unitOf(law, parameter)));
+    std::string& head = rows[0].emplace_back(nameOf(law, parameter));
+    if (unitOf(law, parameter) != "1") head.append(" ").append(unitOf(law, parameter));
     rows[0].emplace_back("95 %");
   }
   rows[0].insert(rows[0].end(), {"RMS N", "R2"});

@@ -4,9 +4,11 @@
 #include <string_view>
 #include <utility>
 
+#include "law/force_law.h"
 #include "main/exit_codes.h"
 #include "main/verbs.h"
 #include "scenario/catalog.h"
+#include "text/scalars.h"
 
 namespace fissure {
 
@@ -18,6 +20,16 @@ constexpr std::string_view tissues_title =
     "  github.com/vu-arma-dev/robot-palpation-data. A law sums over triangles, so its exponent is then the "
     "tissue's,\n"
     "  the size of its force is not. lambda = k x 0.5 s/m is an assumption)";
+
+/// "k 200 N/m^n, lambda 50 N s/m^(n+1), n 1.3": what a scenario that leaves them out gets.
+std::string defaultsOf(const ForceLawEntry& law) {
+  std::string text;
+  for (const LawCoefficient& of : law.coefficients) {
+    text.append(text.empty() ? "" : ", ").append(of.name).append(" ").append(formatReal(of.default_value));
+    if (of.unit != "1") text.append(" ").append(of.unit);
+  }
+  return text;
+}
 
 int listCatalog() {
   const Catalog& tables = catalog();
@@ -47,6 +59,10 @@ int listCatalog() {
     std::cout << title << "\n";
     for (const CatalogEntry& entry : entries)
       std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << entry.description << "\n";
+    if (&entries != &tables.force_laws) continue;
+    for (const ForceLawEntry& law : forceLaws())
+      std::cout << "  " << std::left << std::setw(20) << law.name << "  by default " << defaultsOf(law)
+                << "\n";
   }
   return exit_good;
 }

@@ -104,10 +104,10 @@ class SurfaceReport {
     all_.append(all_.empty() ? "" : "; ").append(path).append(": ");
     for (const std::string& defect : defects) {
       if (!std::holds_alternative<FileShape>(shape))
-        lines_.push_back(std::string(path).append(": ").append(defect));
+        report_.push_back(std::string(path).append(": ").append(defect));
       all_.append(&defect == &defects.front() ? "" : "; ").append(defect);
     }
-    lines_.push_back(path + ": " + what_ + ", " + expected_);
+    report_.push_back(path + ": " + what_ + ", " + expected_);
     all_.append(", ").append(expected_);
     return false;
   }
@@ -115,10 +115,10 @@ class SurfaceReport {
   /// Throws BadSurfaces when one was not.
   void finish() {
     if (all_.empty()) return;
-    lines_.insert(lines_.begin(), checked_.notes.begin(), checked_.notes.end());
+    report_.insert(report_.begin(), checked_.notes.begin(), checked_.notes.end());
     const Origin origin = inFile(checked_.file);
-    for (std::string& line : lines_) line.insert(0, origin.beginning());
-    throw BadSurfaces(origin, all_, std::move(lines_));
+    for (std::string& line : report_) line.insert(0, origin.beginning());
+    throw BadSurfaces(origin, all_, std::move(report_));
   }
 
  private:
@@ -138,7 +138,7 @@ class SurfaceReport {
   std::string what_, expected_;
   Spoils spoils_;
   std::string all_;
-  std::vector<std::string> lines_;
+  std::vector<std::string> report_;
 };
 
 void checkBodies(CheckedScenario& checked, const SurfaceFiles& files) {

@@ -5,6 +5,11 @@
 
 namespace fissure {
 
+/// For messages.
+inline std::string inQuotes(const std::string& text) {
+  return '"' + text + '"';
+}
+
 /// What a plain (unquoted) YAML scalar says.
 enum class ScalarKind {
   text,

@@ -10,4 +10,28 @@ ForceLawEntry kelvinVoigtLaw();
 ForceLawEntry linearElasticLaw();
 ForceLawEntry exponentialLaw();
 
+// Coefficients that several laws share.
+
+/// k of a spring, N/m.
+inline LawCoefficient springCoefficient() {
+  return {.name = "k",
+          .member = &LawCoefficients::k,
+          .role = CoefficientRole::elastic,
+          .default_value = 200,
+          .unit = "N/m",
+          .units = "newton per metre",
+          .units_per_area = "newton per cubic metre"};
+}
+
+/// c of a damper beside the elastic term, N s/m.
+inline LawCoefficient damperCoefficient() {
+  return {.name = "c",
+          .member = &LawCoefficients::c,
+          .role = CoefficientRole::damping,
+          .default_value = 1,
+          .unit = "N s/m",
+          .units = "newton second per metre",
+          .units_per_area = "newton second per cubic metre"};
+}
+
 }  // namespace fissure

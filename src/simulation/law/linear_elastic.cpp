@@ -7,13 +7,7 @@ ForceLawEntry linearElasticLaw() {
   return {.name = "linear_elastic",
           .description = "F = k x, the default model that the paper replaced",
           .fit_formula = "F = F0 + k d",
-          .coefficients = {{.name = "k",
-                            .member = &LawCoefficients::k,
-                            .role = CoefficientRole::elastic,
-                            .default_value = 200,
-                            .unit = "N/m",
-                            .units = "newton per metre",
-                            .units_per_area = "newton per cubic metre"}},
+          .coefficients = {springCoefficient()},
           .shape_search = {},
           .force = [](const LawCoefficients& of, double deformation_m, double) -> LawForce {
             return deformation_m <= 0 ? LawForce{} : LawForce{of.k * deformation_m, 0, false};

@@ -3,17 +3,16 @@
 #include <array>
 
 #include "scenario/bodies_fields.h"
+#include "scenario/forces_fields.h"
 #include "scenario/pipelines_fields.h"
 #include "scenario/scenario.h"
-#include "scenario/tissues.h"
 #include "scenario/tools_fields.h"
 
 namespace fissure {
 
 // The keys of every map of a scenario file, once, in the order in which they are written: here those of the
-// scenario as a whole, what surrounds the bodies, force laws, record and expectations; of the rest in the
-// *_fields.h beside the structs. MapReader and MapWriter are the two kinds of Io: what one writes, the other
-// reads.
+// scenario as a whole, what surrounds the bodies, record and expectations; of the rest in the *_fields.h
+// beside the structs. MapReader and MapWriter are the two kinds of Io: what one writes, the other reads.
 //   io.required(key, value)            must be in the file
 //   io.field(key, value)               may be left out: the struct's default, or no value, stands
 //   io.fieldIf(applies, when, key, value)   has a meaning only if `applies`; an error elsewhere
@@ -72,32 +71,6 @@ void describe(Io& io, RecordSettings& r) {
 template <class Io>
 void describe(Io& io, MeasureSettings& m) {
   io.field("sample_spacing_m", m.sample_spacing_m);
-}
-
-template <class Io>
-void describe(Io& io, ForceSettings& f) {
-  io.nameOr("name", f.name, "model");
-  io.requiredChoice("model", f.model, catalog().force_laws);
-  io.choice("deformation", f.deformation, catalog().deformations);
-  io.field("per_area", f.per_area);
-  io.choiceIf(f.model == ForceModel::hunt_crossley && !f.per_area, "model hunt_crossley without per_area",
-              "tissue", f.tissue, catalog().tissues);
-  const ForceLawEntry& law = entryOf(f.model);
-  io.whileReading([&] {
-    f.coefficients = law.defaults();
-    applyTissue(f);
-  });
-  for (const LawCoefficient& of : allCoefficients()) {
-    const LawCoefficient* own = law.find(of.name);
-    double& value = f.coefficients.*of.member;
-    const std::string key(of.name);
-    if (own && own->role != CoefficientRole::shape && f.per_area)
-      io.required(key.c_str(), value);  // a default in other units would mean nothing
-    else
-      io.fieldIf(own != nullptr, modelsWith(of.name).c_str(), key.c_str(), value);
-  }
-  io.choiceIf(law.find(CoefficientRole::damping) != nullptr, modelsWith(CoefficientRole::damping).c_str(),
-              "rate", f.rate, catalog().rates);
 }
 
 template <class Io>

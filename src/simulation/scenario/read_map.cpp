@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "text/did_you_mean.h"
+#include "text/scalars.h"
 
 namespace fissure {
 

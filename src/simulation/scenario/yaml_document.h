@@ -7,11 +7,6 @@
 
 namespace fissure {
 
-/// For messages.
-inline std::string inQuotes(const std::string& text) {
-  return '"' + text + '"';
-}
-
 /// Throws InputError with the origin before the message.
 [[noreturn]] void failAt(const Origin& origin, const std::string& message);
 
