@@ -45,7 +45,8 @@ std::vector<std::string> exportNames(const std::string& run, const MovingMeshes&
   return names;
 }
 
-void exportRun(const fs::path& folder, const std::string& run, const MovingMeshes& meshes, bool remove_stale) {
+void exportRun(const fs::path& folder, const std::string& run, const MovingMeshes& meshes,
+               bool remove_stale) {
   std::vector<std::string> files = exportNames(run, meshes);
   const std::string document = files.back();
   files.pop_back();
