@@ -30,6 +30,7 @@ class FitProblem {
   /// `data` must outlive it.
   FitProblem(const FitData& data, const FitSettings& settings);
 
+  const ForceLawEntry& law() const { return law_; }
   const std::vector<FitParameter>& free() const { return free_; }
   Eigen::Index points() const { return data_.force_N.size(); }
   FitValues valuesAt(const Eigen::VectorXd& place) const;

@@ -97,7 +97,11 @@ DampingVerdict judgeDamping(const FitProblem& problem, const LeastSquares& best,
             ""};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
-  const std::string interval = "the 95 % interval of " + name + "/k, " + fourDigits(share - half_width) +
+  // c/k of a damper has another unit: what is judged is its force at 1 m/s over the elastic one.
+  const std::string quotient = problem.law().damping_grows_with_elastic
+                                   ? name + "/k"
+                                   : name + " over the elastic force at the typical depth";
+  const std::string interval = "the 95 % interval of " + quotient + ", " + fourDigits(share - half_width) +
                                " to " + fourDigits(share + half_width) + " s/m, ";
   if (share + half_width < 0)
     return {"", name + " is negative, which is unphysical: are force and depth recorded at one time?"};

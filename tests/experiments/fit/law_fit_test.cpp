@@ -197,6 +197,23 @@ TEST(LawFit, SaysWhenLambdaCannotBeIdentifiedAndStillFindsTheExponent) {
   EXPECT_GT(fit.of(FitParameter::shape).high, 2.4);
 }
 
+// A damper's c over k is no time: the message speaks of its force over the elastic one.
+TEST(LawFit, JudgesADamperByItsForce) {
+  for (const ForceModel model : {ForceModel::kelvin_voigt, ForceModel::exponential}) {
+    MeasuredCurve curve = presses(60, {0.003}, 30);
+    const double k = model == ForceModel::kelvin_voigt ? 100 : 0.2;  // N/m or N
+    setForces({.coefficients = {.k = k, .c = 1, .a = 400}}, curve, model);
+    boost::random::mt19937_64 random(3);
+    boost::random::normal_distribution<double> noise_N(0, 0.002);
+    for (double& force_N : curve.force_N) force_N += noise_N(random);
+    const LawFit fit = fitted(curve, {{}, {true, true, model == ForceModel::exponential, true}}, model);
+    EXPECT_FALSE(fit.of(FitParameter::damping).free);
+    EXPECT_NE(fit.of(FitParameter::damping).problem.find("c over the elastic force at the typical depth"),
+              std::string::npos)
+        << fit.of(FitParameter::damping).problem;
+  }
+}
+
 std::string refusal(const std::vector<double>& depth_m, const std::vector<double>& force_N,
                     const FitSettings& settings = kQuasiStatic) {
   try {
