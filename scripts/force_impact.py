@@ -38,6 +38,7 @@ def table(rows):
 def main():
     folder = ROOT / "results/force_impact"
     folder.mkdir(parents=True, exist_ok=True)
+    subprocess.run([ROOT / "scripts/build", "release", "test_contact"], stdout=subprocess.DEVNULL, check=True)
     command = [ROOT / "build/release/tests/test_contact", f"--gtest_filter={TEST}"]
     environment = os.environ | {"FISSURE_IMPACT_TABLE": str(folder / "errors.csv")}
     subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, check=True)

@@ -96,6 +96,7 @@ def table(rows):
 
 def prescribed_rows(folder):
     """The laws alone: the test of their convergence keeps its table."""
+    subprocess.run([ROOT / "scripts/build", "release", "test_contact"], stdout=subprocess.DEVNULL, check=True)
     command = [ROOT / "build/release/tests/test_contact", f"--gtest_filter={TEST}"]
     environment = os.environ | {"FISSURE_PER_AREA_TABLE": str(folder / "prescribed.csv")}
     subprocess.run(command, env=environment, stdout=subprocess.DEVNULL, check=True)

@@ -8,8 +8,10 @@ namespace fissure {
 
 namespace {
 
-CLI::Validator checkOf(const std::function<std::string(const std::string&)>& problemOf) {
-  return CLI::Validator([problemOf](const std::string& value) { return problemOf(value); }, "");
+/// `description`: what the help says of values.
+CLI::Validator checkOf(const std::function<std::string(const std::string&)>& problemOf,
+                       const std::string& description) {
+  return CLI::Validator([problemOf](const std::string& value) { return problemOf(value); }, description);
 }
 
 }  // namespace
@@ -24,7 +26,7 @@ Option& Option::notEmpty() {
 }
 
 Option& Option::check(const std::function<std::string(const std::string&)>& problemOf) {
-  option_->check(checkOf(problemOf));
+  option_->check(checkOf(problemOf, ""));
   return *this;
 }
 
@@ -36,10 +38,14 @@ Option& Option::between(int low, int high) {
 // CLI::Range lets NaN pass.
 Option& Option::between(double low, double high) {
   const std::string expected = ": expected a number from " + formatReal(low) + " to " + formatReal(high);
-  return check([=](const std::string& given) {
+  const auto problemOf = [=](const std::string& given) {
     const std::optional<double> value = toReal(given);
     return value && *value >= low && *value <= high ? std::string() : given + expected;
-  });
+  };
+  // A range that nobody comes near only makes the help longer.
+  option_->check(
+      checkOf(problemOf, high > 1e6 ? "" : "in [" + formatReal(low) + " - " + formatReal(high) + "]"));
+  return *this;
 }
 
 Option& Option::oneOf(const std::vector<std::string>& names) {

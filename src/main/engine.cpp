@@ -119,6 +119,7 @@ CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
 /// One simulation of a sweep: its record, and its part where a result is kept.
 void workToOrder(const std::string& order_file, const std::string& record, const std::string& part) {
   const TaskOrder order = parseOrder(readTextFile(order_file));
+  const auto start = std::chrono::steady_clock::now();
   CheckedScenario checked = [&] {
     try {
       return scenarioOf(order, !part.empty());
@@ -128,7 +129,6 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   }();
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
   checkPrecision(pipeline);
-  const auto start = std::chrono::steady_clock::now();
   RunningRun run(checked.loaded, pipeline, std::move(checked.prepared));
   RunRecorder::Settings settings;
   if (order.curves) {

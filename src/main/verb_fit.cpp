@@ -14,6 +14,7 @@
 #include "main/verbs.h"
 #include "process/apart.h"
 #include "text/did_you_mean.h"
+#include "text/lists.h"
 #include "text/scalars.h"
 
 namespace fissure {
@@ -37,12 +38,10 @@ std::vector<std::string> lawNames() {
   return names;
 }
 
-/// "a, b or c".
-std::string inWords(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text.append(i == 0 ? "" : i + 1 == names.size() ? " or " : ", ").append(names[i]);
-  return text;
+std::string lawChoices() {
+  std::vector<std::string_view> names;
+  for (const ForceLawEntry& law : forceLaws()) names.push_back(law.name);
+  return inWords(names, "or");
 }
 
 ForceModel lawOf(const std::string& name) {
@@ -234,7 +233,7 @@ Verb addFit(Command app) {
       "what the columns are: depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe; by name or "
       "number, units m, mm, N, mN, s, ms or a factor (default: by their names, as depth_mm, force_N, "
       "time_s)");
-  const Option law = command.option("--law", options->law, inWords(lawNames())).showDefault();
+  const Option law = command.option("--law", options->law, lawChoices()).showDefault();
   const Option free = command.option(
       "--free", options->free,
       "what is fitted, as k,n,F0 (default: all of the law's coefficients and F0 that are not fixed); F0 "

@@ -57,12 +57,12 @@ int listCatalog() {
                                         {"mesh repairs", tables.mesh_repairs}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";
-    for (const CatalogEntry& entry : entries)
-      std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << entry.description << "\n";
-    if (&entries != &tables.force_laws) continue;
-    for (const ForceLawEntry& law : forceLaws())
-      std::cout << "  " << std::left << std::setw(20) << law.name << "  by default " << defaultsOf(law)
-                << "\n";
+    for (const CatalogEntry& entry : entries) {
+      std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << entry.description;
+      if (&entries == &tables.force_laws)
+        std::cout << " (default: " << defaultsOf(entryOf(*modelNamed(entry.name))) << ")";
+      std::cout << "\n";
+    }
   }
   return exit_good;
 }

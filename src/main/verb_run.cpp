@@ -39,8 +39,10 @@ std::vector<Experiment> prepare(const RunOptions& options) {
     throw InputError("-o " + options.output +
                      ": names one file for several scenarios, expected one scenario");
   std::vector<CheckedScenario> checked;
-  for (const std::string& file : options.scenarios.files)
+  for (const std::string& file : options.scenarios.files) {
     checked.push_back(checkScenario(file, options.scenarios.selection()));
+    checked.back().prepared = {};  // workers build their own
+  }
   for (std::size_t i = 0; i < checked.size(); ++i)
     for (std::size_t j = 0; j < i; ++j)
       if (outputOf(options, checked[i]) == outputOf(options, checked[j]))

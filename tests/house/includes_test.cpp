@@ -48,7 +48,7 @@ const std::vector<Wing> kWings = {
 
 /// Rooms that use less of the wings below than they could.
 const std::map<std::string, std::set<std::string>> kNarrow = {
-    {"law", {}},
+    {"law", {"text"}},
     {"scenario", {"base", "text"}},
     {"motion", {"base", "text"}},
     {"mesh", {"base"}},

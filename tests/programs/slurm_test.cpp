@@ -1,5 +1,5 @@
 // Sweeps submitted to Slurm, whose programs are played by scripts: what they are told, and what is written.
-// A real Slurm: tests/slurm.
+// A real Slurm: tests/programs/cluster.
 #include <gtest/gtest.h>
 
 #include <chrono>

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Half written results, which store/ names so.
+/// Half written results, as files/temporary_file.h names them.
 bool isTemporaryOf(const fs::path& result, const fs::directory_entry& entry) {
   std::error_code ignored;
   const std::string name = entry.path().filename().string();

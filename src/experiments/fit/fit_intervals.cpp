@@ -11,7 +11,7 @@ namespace fissure {
 
 namespace {
 
-/// As the interval is symmetric: k by its logarithm.
+/// The inverse of onScale.
 double offScale(FitParameter parameter, double at) {
   return parameter == FitParameter::elastic ? std::exp(at) : at;
 }

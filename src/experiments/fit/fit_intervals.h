@@ -32,6 +32,7 @@ class FitIntervals {
  private:
   /// Something that is computed from the values, as linear as possible in the coordinates.
   using Quantity = std::function<double(const FitValues&)>;
+  /// A coefficient on the scale on which its interval is symmetric: k by its logarithm, others as they are.
   double onScale(FitParameter parameter, const FitValues& values) const;
   Eigen::VectorXd gradientOf(const Quantity& quantity) const;
   double growth(FitParameter parameter, double step) const;

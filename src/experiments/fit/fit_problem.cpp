@@ -1,7 +1,6 @@
 #include "fit/fit_problem.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/error.h"

@@ -21,10 +21,12 @@ struct FitData {
   double squares_around_mean_N2 = 0;
 };
 
-/// A fit as residuals over coordinates of size one: the logarithm of the elastic force at the deformation
-/// scale d over the force scale (Hunt-Crossley: k d^n), the damping coefficient over k times the rate scale,
-/// the shape's place between its limits (logistic), F0 over the force scale. Taking the force at d takes most
-/// of the correlation between k and the shape away. Those of what is free, in that order.
+/// A fit as residuals over coordinates of size one. d, the deformation scale, is the typical deformation
+/// (LawModel::deformationScale_m), the force scale the largest difference of the measured forces. The
+/// coordinates are the logarithm of the elastic force at d over the force scale (Hunt-Crossley: k d^n), the
+/// damping coefficient over k times the rate scale, the shape's place between its limits (logistic), F0 over
+/// the force scale. Taking the force at d takes most of the correlation between k and the shape away. Those
+/// of what is free, in that order.
 class FitProblem {
  public:
   /// `data` must outlive it.
@@ -36,7 +38,7 @@ class FitProblem {
   FitValues valuesAt(const Eigen::VectorXd& place) const;
   Eigen::VectorXd placeOf(const FitValues& values) const;
 
-  /// The best of the searches from several exponents.
+  /// The best of the searches from several shapes.
   LeastSquares solve() const;
   LeastSquares solveFrom(const FitValues& start) const;
 
@@ -50,6 +52,9 @@ class FitProblem {
 
   /// Sum of squares that noise of the rates makes of (weighted) residuals where that share is 1 s/m.
   double noiseOfViscousShare_N2(const FitValues& values) const;
+
+  /// The elastic force at the deformation scale where k is 1, newtons.
+  double forceOfUnitK(const FitValues& values) const;
 
   /// The elastic force at the deformation scale over the force scale.
   double elasticShare(const FitValues& values) const;
@@ -70,15 +75,13 @@ class FitProblem {
  private:
   void writeResiduals(const Eigen::VectorXd& place, Eigen::VectorXd& residuals) const;
   FitValues startAt(double shape) const;
-  /// Of the elastic term where k is 1, at the deformation scale.
-  double forceOfUnitK(const FitValues& values) const;
   /// The damping coefficient over k where the viscous share is 1 s/m.
   double dampingOfUnitShare(const FitValues& values) const;
 
   const FitData& data_;
   const ForceLawEntry& law_;
   const ShapeSearch& search_;
-  double shape_scale_ = 1;  ///< the shape times this has no unit
+  double shape_scale_ = 1;  ///< makes the shape a number without a unit: d, or 1
   FitSettings settings_;
   std::vector<FitParameter> free_;
 };

@@ -39,6 +39,14 @@ void refuseTooFew(const FitData& data, const FitSettings& settings, const std::s
                      std::to_string(free) + " free coefficients, expected more points than these");
 }
 
+/// Of a shape that is fixed.
+void refuseOverflow(const FitProblem& problem, const FitSettings& settings) {
+  const double force = problem.forceOfUnitK(settings.fixed);
+  if (std::isfinite(force) && force > 0) return;
+  throw InputError("the law's elastic force is no number above 0 at these depths, expected a smaller " +
+                   std::string(problem.law().find(CoefficientRole::shape)->name));
+}
+
 LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitData& data) {
   const FitValues values = problem.valuesAt(best.place);
   if (problem.elasticShare(values) < 1e-6)
@@ -193,6 +201,7 @@ LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<
   for (;;) {
     refuseTooFew(data, used, of_damping);
     const FitProblem problem(data, used);
+    if (!shape_free) refuseOverflow(problem, used);
     const LeastSquares best = problem.solve();
     if (shape_free) {
       if (const std::optional<double> limit = problem.limitOfShape(problem.valuesAt(best.place))) {

@@ -21,7 +21,7 @@ struct FittedValue {
   bool free = false;
   // Of free ones; NaN where the data says nothing.
   double standard_error = 0;  ///< from J'J at the optimum
-  double low = 0, high = 0;   ///< 95 % interval; infinite, for k and n a limit, where it is open
+  double low = 0, high = 0;   ///< 95 % interval; infinite, for k and the shape a limit, where it is open
   bool profiled = false;      ///< its ends are the profile's
   std::string problem;        ///< why it cannot be identified; also of a damping that was fixed for that
 };

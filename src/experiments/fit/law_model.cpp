@@ -1,7 +1,6 @@
 #include "fit/law_model.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>

@@ -109,7 +109,7 @@ std::vector<std::size_t> deepeningSteps(const SimulatedRun& run) {
   return steps;
 }
 
-/// Places of `at` among ascending `values`, one a step in `steps`; none where it is outside.
+/// Between which two of `steps` `at` lies, by their ascending `values`; false where it is outside.
 bool interpolationAt(double at, const std::vector<double>& values, const std::vector<std::size_t>& steps,
                      StepInterpolation& between) {
   if (values.empty() || !(at >= values.front()) || at > values.back()) return false;

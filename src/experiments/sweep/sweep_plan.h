@@ -67,7 +67,7 @@ class SweepPlan {
   struct Axis {
     bool law = false;
     std::size_t law_index = 0;  ///< of the scenario's force laws
-    std::string coefficient;    ///< "k", "lambda", "n" or "c"
+    std::string coefficient;    ///< name of a coefficient of that law
     std::string only_entry;     ///< the only entry that reads it; empty: all do
   };
   /// The simulation that a run is a part of, and which of its sets of laws is the run's.

@@ -6,7 +6,6 @@
 #include "base/state.h"
 #include "law/force_law.h"
 #include "scenario/forces.h"
-#include "scenario/pipelines.h"
 
 namespace fissure {
 
@@ -47,7 +46,7 @@ class LawFamily {
   /// Laws that share A and B.
   struct Group {
     const ForceLawEntry* law = nullptr;
-    LawCoefficients coefficients;  ///< of one of them: its shape is that of all
+    LawCoefficients coefficients;  ///< of one of them; only the shape is read, which all share
     bool per_area = false;
     std::size_t channel = 0;      ///< the scenario law whose inputs they see
     std::vector<Member> members;  ///< by threshold, ascending

@@ -14,7 +14,7 @@ json lawsJson(const std::vector<std::vector<ForceSettings>>& rows) {
   json numbers = json::array();
   for (const auto& row : rows)
     for (const ForceSettings& law : row)
-      for (const LawCoefficient& of : allCoefficients()) numbers.push_back(law.coefficients.*of.member);
+      for (const CoefficientName& of : allCoefficients()) numbers.push_back(law.coefficients.*of.member);
   return numbers;
 }
 
@@ -23,7 +23,7 @@ std::vector<std::vector<ForceSettings>> readLaws(const json& numbers, std::size_
   for (std::size_t at = 0; at < numbers.size();) {
     std::vector<ForceSettings>& row = rows.emplace_back(laws);
     for (ForceSettings& law : row)
-      for (const LawCoefficient& of : allCoefficients()) law.coefficients.*of.member = numbers.at(at++);
+      for (const CoefficientName& of : allCoefficients()) law.coefficients.*of.member = numbers.at(at++);
   }
   return rows;
 }

@@ -48,11 +48,11 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh)
     const auto corner = [&](int i) { return mesh.vertices_m[static_cast<std::size_t>(face[i])]; };
     centroids.push_back(toTree(corner(0) + corner(1) + corner(2)) / 3.0);
   }
-  face_of_triangle_.resize(mesh.faces.size());
-  std::iota(face_of_triangle_.begin(), face_of_triangle_.end(), 0);
-  build(0, count, centroids);
+  std::vector<int> order(mesh.faces.size());  // of faces, leaf by leaf
+  std::iota(order.begin(), order.end(), 0);
+  build(0, count, centroids, order);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
-    faces_[i] = mesh.faces[static_cast<std::size_t>(face_of_triangle_[i])];
+    faces_[i] = mesh.faces[static_cast<std::size_t>(order[i])];
   }
   triangles_.resize(faces_.size());
   previous_.resize(faces_.size());
@@ -62,11 +62,11 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh)
   forgetMotion();
 }
 
-void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids) {
+void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids, std::vector<int>& order) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({0, first, count <= kTrianglesPerLeaf ? count : 0});
   if (count > kTrianglesPerLeaf) {
-    const auto begin = face_of_triangle_.begin() + first;
+    const auto begin = order.begin() + first;
     const auto centroid = [&](int face) -> const Vec3& { return centroids[static_cast<std::size_t>(face)]; };
     TreeBox box{centroid(*begin), centroid(*begin)};
     for (auto face = begin; face != begin + count; ++face) {
@@ -78,8 +78,8 @@ void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids) {
     std::nth_element(begin, begin + count / 2, begin + count, [&](int one, int other) {
       return std::pair(centroid(one)[axis], one) < std::pair(centroid(other)[axis], other);
     });
-    build(first, count / 2, centroids);
-    build(first + count / 2, count - count / 2, centroids);
+    build(first, count / 2, centroids, order);
+    build(first + count / 2, count - count / 2, centroids, order);
   }
   nodes_[node].skip = static_cast<int>(nodes_.size());
 }

@@ -62,12 +62,11 @@ class SurfaceTree {
   const std::vector<TreeTriangle>& previous() const { return previous_; }
 
  private:
-  void build(int first, int count, std::span<const Vec3> centroids);
+  void build(int first, int count, std::span<const Vec3> centroids, std::vector<int>& order);
   void gather();
   void refit();
 
   std::vector<Face> faces_;  // in the order of the leaves
-  std::vector<int> face_of_triangle_;
   std::vector<Vec3> vertices_;
   std::vector<TreeTriangle> triangles_;
   std::vector<TreeTriangle> previous_;

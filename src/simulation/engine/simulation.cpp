@@ -28,7 +28,7 @@ const PipelineFactory& pipelineFactory(PipelineKind kind) {
   for (const PipelineFactory& factory : factories) {
     if (factory.kind == kind) return factory;
   }
-  throw std::invalid_argument("no such pipeline in this engine");
+  throw std::invalid_argument("no pipeline " + std::string(traitsOf(kind).name) + " in this engine");
 }
 
 std::vector<PipelineKind> enginePipelines() {

@@ -25,14 +25,16 @@ ForceLawEntry exponentialLaw() {
                             .units = "per metre",
                             .units_per_area = "per metre"},
                            damperCoefficient()},
-          // From nearly linear to a force that a few per cent of the depth double.
+          // a d from 0.02 (linear within 1 %) to 30 (the force doubles with every 2.3 % of the depth).
           .shape_search = {.least = 0.02,
                            .largest = 30,
                            .starts = {0.3, 1.0, 3.0, 8.0},
                            .times_deformation = true},
           .force = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawForce {
             if (deformation_m < 0) return {};
-            return withoutAdhesion(of.k * std::expm1(of.a * deformation_m), of.c * rate_m_s);
+            // Without a size there is no force, however far exp() overflows.
+            const double elastic_N = of.k == 0 ? 0 : of.k * std::expm1(of.a * deformation_m);
+            return withoutAdhesion(elastic_N, of.c * rate_m_s);
           },
           .terms = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawTerms {
             const double growth = std::expm1(of.a * deformation_m);

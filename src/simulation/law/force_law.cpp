@@ -4,19 +4,17 @@
 #include <functional>
 
 #include "law/laws.h"
+#include "text/lists.h"
 
 namespace fissure {
 
 namespace {
 
 std::string modelsFor(const std::function<bool(const ForceLawEntry&)>& applies) {
-  std::vector<std::string> names;
+  std::vector<std::string_view> names;
   for (const ForceLawEntry& law : forceLaws())
-    if (applies(law)) names.emplace_back(law.name);
-  std::string text = names.size() == 1 ? "model " : "models ";
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text.append(i == 0 ? "" : i + 1 == names.size() ? " and " : ", ").append(names[i]);
-  return text;
+    if (applies(law)) names.push_back(law.name);
+  return counted("model", names);
 }
 
 }  // namespace
@@ -56,14 +54,14 @@ LawCoefficients ForceLawEntry::defaults() const {
   return values;
 }
 
-const std::vector<LawCoefficient>& allCoefficients() {
-  static const std::vector<LawCoefficient> all = [] {
-    std::vector<LawCoefficient> made;
+const std::vector<CoefficientName>& allCoefficients() {
+  static const std::vector<CoefficientName> all = [] {
+    std::vector<CoefficientName> made;
     for (const ForceLawEntry& law : forceLaws())
       for (const LawCoefficient& coefficient : law.coefficients)
         if (std::none_of(made.begin(), made.end(),
-                         [&](const LawCoefficient& known) { return known.name == coefficient.name; }))
-          made.push_back(coefficient);
+                         [&](const CoefficientName& known) { return known.name == coefficient.name; }))
+          made.push_back({coefficient.name, coefficient.member});
     return made;
   }();
   return all;

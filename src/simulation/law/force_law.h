@@ -34,7 +34,7 @@ struct LawForce {
 struct LawTerms {
   double elastic = 0;
   double damping = 0;
-  double damping_over_elastic = 0;  ///< where elastic > 0
+  double damping_over_elastic = 0;  ///< the quotient; may be infinite or NaN where elastic is 0
 };
 
 /// What a coefficient does in its law.
@@ -72,8 +72,8 @@ struct ForceLawEntry {
   std::string_view description;  ///< one line for people, with the formula and its source
   std::string_view fit_formula;  ///< over the depth d of a probe, with the offset F0
   std::vector<LawCoefficient> coefficients;
-  /// The damping term is the elastic term times the rate, so that the quotient of their sizes is in s/m;
-  /// else it is the rate alone, and acts where there is no deformation yet.
+  /// The damping term is the elastic term times the rate, so that damping coefficient / k is in s/m; else it
+  /// is the rate alone, and acts where there is no deformation yet.
   bool damping_grows_with_elastic = false;
   ShapeSearch shape_search;  ///< of laws with a shape coefficient
   LawForce (*force)(const LawCoefficients& coefficients, double deformation_m, double rate_m_s) = nullptr;
@@ -91,8 +91,14 @@ const std::vector<ForceLawEntry>& forceLaws();
 const ForceLawEntry& entryOf(ForceModel model);
 std::optional<ForceModel> modelNamed(std::string_view name);
 
+/// A coefficient without what single laws say of it.
+struct CoefficientName {
+  std::string_view name;
+  double LawCoefficients::*member = nullptr;
+};
+
 /// Every coefficient that some law has, once, in the order of the laws.
-const std::vector<LawCoefficient>& allCoefficients();
+const std::vector<CoefficientName>& allCoefficients();
 /// The laws that have a coefficient of this name, for messages: "model hunt_crossley", "models a and b".
 std::string modelsWith(std::string_view coefficient);
 /// The same of laws that have one of this role.

@@ -13,8 +13,6 @@
 namespace fissure {
 namespace {
 
-constexpr std::size_t most_triangles = 131072;  // those of a sphere with 7 subdivisions
-
 /// No organ and no tool is smaller or larger, in its longest direction.
 constexpr double least_extent_m = 1e-3, most_extent_m = 2.0;
 

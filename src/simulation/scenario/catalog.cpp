@@ -6,6 +6,7 @@
 #include "scenario/motions.h"
 #include "scenario/pipeline_table.h"
 #include "scenario/shapes.h"
+#include "scenario/tissues.h"
 
 namespace fissure {
 
@@ -30,14 +31,7 @@ const Catalog& catalog() {
   static const Catalog tables{
       .pipelines = entriesOf(pipeline_table),
       .force_laws = entriesOf(forceLaws()),
-      .tissues =
-          {{"pig_liver_1", "k 6.08e5, n 2.40, F0 0.029 N to 2 mm: pig liver, region 1 (221 probes)"},
-           {"pig_liver_2", "k 1.90e7, n 2.95, F0 0.060 N to 3 mm: second pig liver, region 2 (77 probes)"},
-           {"pig_liver_3", "k 1.33e7, n 2.80, F0 0.072 N to 3 mm: second pig liver, region 3 (73 probes)"},
-           {"meat_1", "k 1.13e5, n 2.15, F0 0.035 N to 3 mm: meat, region 1 (117 probes)"},
-           {"meat_4", "k 7.38e3, n 1.70, F0 0.039 N to 3 mm: meat, region 4 (101 probes)"},
-           {"phantom_balls", "k 2.54e3, n 1.45, F0 0.113 N to 3 mm: phantom with small balls (100 probes)"},
-           {"phantom_silicone", "k 2.88e3, n 1.30, F0 0.119 N to 3 mm: silicone phantom (728 probes)"}},
+      .tissues = entriesOf(tissues()),
       .body_shapes = entriesOf(SurfaceShape(), &ShapeText::as_body),
       .tool_shapes = entriesOf(SurfaceShape(), &ShapeText::as_tool),
       .clamp_openings = {{"parallel", "both jaws slide apart; openings in metres"},

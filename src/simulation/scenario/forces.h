@@ -15,7 +15,8 @@ namespace fissure {
 struct ForceSettings {
   std::string name;  ///< unique; default: the model's
   ForceModel model = ForceModel::hunt_crossley;
-  /// Sizes of terms >= 0, shapes > 0; those that the law does not have keep their neutral values.
+  /// Sizes of terms >= 0, shapes > 0; those that the law does not have keep their neutral values. The
+  /// defaults are of the model that is named with them: whoever changes it later sets them too.
   LawCoefficients coefficients = entryOf(model).defaults();
   /// Where x' comes from; of laws with a damping term. Response none leaves the engine's velocities of held
   /// tissue without meaning (tens of m/s at rest), so differences are the default.

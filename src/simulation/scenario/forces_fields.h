@@ -23,7 +23,7 @@ void describe(Io& io, ForceSettings& f) {
     f.coefficients = law.defaults();
     applyTissue(f);
   });
-  for (const LawCoefficient& of : allCoefficients()) {
+  for (const CoefficientName& of : allCoefficients()) {
     const LawCoefficient* own = law.find(of.name);
     double& value = f.coefficients.*of.member;
     const std::string key(of.name);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "text/lists.h"
+
 namespace fissure {
 
 std::string pipelinesWith(std::initializer_list<ContactDetection> detections) {
@@ -10,12 +12,7 @@ std::string pipelinesWith(std::initializer_list<ContactDetection> detections) {
   for (const PipelineTraits& pipeline : pipeline_table)
     if (std::find(detections.begin(), detections.end(), pipeline.detection) != detections.end())
       names.push_back(pipeline.name);
-  std::string text = names.size() == 1 ? "pipeline " : "pipelines ";
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    if (i > 0) text += i + 1 == names.size() ? " and " : ", ";
-    text += names[i];
-  }
-  return text;
+  return counted("pipeline", names);
 }
 
 }  // namespace fissure

@@ -13,6 +13,9 @@
 
 namespace fissure {
 
+/// The most triangles of a body or a tool: those of a sphere with 7 subdivisions.
+inline constexpr std::size_t most_triangles = 131072;
+
 /// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n
 /// triangles.
 struct SphereShape {

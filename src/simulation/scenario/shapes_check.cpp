@@ -18,13 +18,11 @@ void checkAlternative(Checker check, const BoxShape& box) {
   check.positive("size_m", box.size_m);
 }
 
-constexpr double most_triangles = 131072;  // those of a sphere with 7 subdivisions
-
 /// NaN, of values that are bad anyway, passes.
 void checkTriangles(Checker check, const std::string& key, double triangles) {
   check.require(
-      !(triangles > most_triangles), key,
-      "makes " + formatReal(triangles) + " triangles, expected at most " + formatReal(most_triangles));
+      !(triangles > static_cast<double>(most_triangles)), key,
+      "makes " + formatReal(triangles) + " triangles, expected at most " + std::to_string(most_triangles));
 }
 
 void checkAlternative(Checker check, const CapsuleShape& capsule) {
@@ -37,13 +35,12 @@ void checkAlternative(Checker check, const CapsuleShape& capsule) {
 
 /// What can be said without topology; mesh/ checks that the surface is closed and oriented.
 void checkAlternative(Checker check, const TrianglesShape& triangles) {
-  constexpr auto max_faces = static_cast<std::size_t>(most_triangles);
   const int vertices = static_cast<int>(triangles.vertices_m.size());
   check.require(vertices >= 4, "vertices_m",
                 "has " + std::to_string(vertices) + " items, expected at least 4");
   const std::size_t faces = triangles.faces.size();
-  check.require(faces >= 4 && faces <= max_faces, "faces",
-                "has " + std::to_string(faces) + " items, expected 4 to " + std::to_string(max_faces));
+  check.require(faces >= 4 && faces <= most_triangles, "faces",
+                "has " + std::to_string(faces) + " items, expected 4 to " + std::to_string(most_triangles));
   for (std::size_t i = 0; i < triangles.vertices_m.size(); ++i) {
     check.finite("vertices_m." + std::to_string(i), triangles.vertices_m[i]);
   }

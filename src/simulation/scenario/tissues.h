@@ -3,9 +3,7 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/catalog.h"
 #include "scenario/forces.h"
-#include "scenario/pipelines.h"
 
 namespace fissure {
 
@@ -16,9 +14,10 @@ struct Tissue {
   std::string_view name;
   double k = 0;  ///< N/m^n
   double n = 0;
+  std::string_view description;  ///< the numbers, how deep they hold, and where they are from
 };
 
-/// In the order of catalog().tissues, which says where each is from.
+/// All of them: catalog().tissues lists them.
 const std::vector<Tissue>& tissues();
 
 /// The measurements hardly say lambda: lambda/k lies between -0.3 and 1.3 s/m up to 0.04 m/s. An assumption.

@@ -25,7 +25,6 @@ ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   if (tool.nodePlacement() == NodePlacement::grid)
     return makeGridNodes(std::get<BoxShape>(tool.shape).size_m, nodes.resolution, nodes.narrow_rows);
   const CentroidNodeSettings settings{nodes.pairing_limit, nodes.lone_nodes, nodes.rim_nodes};
-  constexpr std::size_t most_triangles = 131072;
   TriangleMesh fine = surface;
   const bool few = nodes.max_spacing_m ? subdivide(fine, *nodes.max_spacing_m, most_triangles)
                                        : fine.faces.size() <= most_triangles;

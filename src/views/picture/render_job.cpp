@@ -177,7 +177,7 @@ class VideoOfJob {
   }
   /// Number of its frames; 0: no video.
   std::size_t finish() {
-    if (file_) keeping(false, [&] { file_->finish(); });
+    if (file_) keeping(go_on_, [&] { file_->finish(); });
     return error_ ? 0 : std::accumulate(shown_.begin(), shown_.end(), std::size_t{0});
   }
   const std::exception_ptr& error() const { return error_; }
@@ -239,8 +239,16 @@ RenderOutcome drawAll(const RenderJob& job, std::vector<PictureSeries>& all,
     outcome.frames = video.finish();
     outcome.video_error = video.error();
   } catch (const RunError&) {
-    if (!interrupt.requested()) throw;
+    outcome.video_error = std::current_exception();
+  }
+  if (!outcome.video_error || (!interrupt.requested() && job.folder)) return outcome;
+  if (!interrupt.requested()) std::rethrow_exception(outcome.video_error);
+  try {
+    std::rethrow_exception(outcome.video_error);
+  } catch (const RunError&) {
     outcome.interrupted = true;  // ffmpeg was
+  } catch (const InputError&) {
+    // it was missing from the start
   }
   return outcome;
 }

@@ -143,6 +143,16 @@ TEST(LawFamily, EqualsEachLawTriangleByTriangle) {
   EXPECT_LT(family.values()[0].adhesion_clamped, 50);
 }
 
+TEST(LawFamily, ALawThatOverflowsDoesSoAloneAndAsPlainly) {
+  const ForceSettings wild{
+      .name = "exp", .model = ForceModel::exponential, .coefficients = {.k = 1, .a = 1e6}};
+  const std::vector<LawInput> inputs = randomInputs(60, 7);
+  expectPlainValues({wild, huntCrossley(200, 50, 1.3)}, inputs);
+  LawFamily family({wild}, {huntCrossley(1, 1, 1)});
+  family.evaluate(inputs);
+  EXPECT_FALSE(std::isfinite(family.values()[0].elastic_N));
+}
+
 TEST(LawFamily, AStepWithoutTrianglesGivesZeros) {
   LawFamily family(manyLaws(), {huntCrossley(200, 50, 1.3)});
   family.evaluate(randomInputs(60, 1));

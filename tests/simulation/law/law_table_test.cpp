@@ -32,7 +32,7 @@ TEST(LawTable, EachLawSaysEverythingAboutItself) {
       EXPECT_EQ(of.units.empty(), of.unit == "1") << of.name;
       EXPECT_EQ(of.units.empty(), of.units_per_area.empty()) << of.name;
       EXPECT_EQ(law.find(of.name), &of) << "the name twice";
-      for (const LawCoefficient& other : allCoefficients())
+      for (const CoefficientName& other : allCoefficients())
         if (other.name == of.name) {
           EXPECT_EQ(other.member, of.member) << of.name << " means two things";
         }
@@ -69,6 +69,13 @@ TEST(LawTable, TermsAndForceAgree) {
     // A damper of its own acts from the first touch on.
     EXPECT_EQ(made.at(0, 0.1).viscous_N != 0, !law.damping_grows_with_elastic);
   }
+}
+
+// Far beyond any tissue exp() overflows: the force is then no number, which a run names with its step.
+TEST(LawTable, AnExponentialThatOverflowsIsSeen) {
+  EXPECT_TRUE(std::isinf(ForceLaw(ForceModel::exponential, {.k = 1, .a = 1e6}).at(0.01, 0).elastic_N));
+  EXPECT_EQ(ForceLaw(ForceModel::exponential, {.k = 0, .a = 1e6}).at(0.01, 0).elastic_N, 0);
+  EXPECT_EQ(ForceLaw(ForceModel::exponential, {.k = 0, .c = 2, .a = 1e6}).at(0.01, 0.5).viscous_N, 1);
 }
 
 TEST(LawTable, MessagesNameTheLawsOfACoefficient) {

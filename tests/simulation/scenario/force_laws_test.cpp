@@ -47,7 +47,7 @@ TEST(ForceLaws, AreReadWrittenAndReadAgain) {
 
 TEST(ForceLaws, RefuseCoefficientsOfOthers) {
   for (const ForceLawEntry& law : forceLaws()) {
-    for (const LawCoefficient& of : allCoefficients()) {
+    for (const CoefficientName& of : allCoefficients()) {
       const std::string refusal =
           refusalOf("{model: " + std::string(law.name) + ", " + std::string(of.name) + ": 2}");
       EXPECT_EQ(refusal.empty(), law.find(of.name) != nullptr) << law.name << " " << of.name << refusal;

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fissure {
+
+/// "a", "a and b", "a, b and c", with `last` between the last two.
+std::string inWords(const std::vector<std::string_view>& items, std::string_view last = "and");
+
+/// "model a", "models a and b": a noun in singular or plural before the items.
+std::string counted(std::string_view noun, const std::vector<std::string_view>& items);
+
+}  // namespace fissure
