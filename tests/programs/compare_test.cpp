@@ -172,5 +172,13 @@ TEST_F(Compare, JsonIsForMachines) {
   EXPECT_EQ(runTool(folder_, {python, "-m", "json.tool", "c.json", "out.json"}).code, 0);
 }
 
+TEST(CompareOptions, AShiftThatIsNoNumberIsRefused) {
+  const Folder folder;
+  const Outcome outcome = runFissure(folder, {"compare", "a.h5", "b.h5", "--max-shift", "nan"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(outcome.err,
+            "fissure: --max-shift: nan: expected a number from 0 to 1e+06 (see fissure --help)\n");
+}
+
 }  // namespace
 }  // namespace fissure::programs::compare_test

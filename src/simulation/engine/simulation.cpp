@@ -28,7 +28,11 @@ const PipelineFactory& pipelineFactory(PipelineKind kind) {
   for (const PipelineFactory& factory : factories) {
     if (factory.kind == kind) return factory;
   }
-  throw std::invalid_argument("no pipeline " + std::string(traitsOf(kind).name) + " in this engine");
+  const auto index = static_cast<std::size_t>(kind);
+  throw std::invalid_argument("no pipeline " +
+                              (index < pipeline_table.size() ? std::string(pipeline_table[index].name)
+                                                             : "number " + std::to_string(index)) +
+                              " in this engine");
 }
 
 std::vector<PipelineKind> enginePipelines() {
