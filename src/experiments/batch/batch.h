@@ -27,7 +27,7 @@ class Batch : private PoolObserver {
   /// Throws RunError when a result cannot be written; workers are stopped then, and results written before
   /// stay.
   void run(int slots, Interrupt& interrupt);
-  /// Of all experiments together, after run().
+  /// How all experiments together ended; call it after run().
   BatchOutcome outcome() const;
 
  private:

@@ -176,7 +176,8 @@ void Experiment::noteUnreadableParts() {
     }
 }
 
-/// Of a run that is in the result, a part kept by an earlier attempt is of no use any more.
+/// Keeps the part of a run that is not in the result; one that is needs none, nor what an earlier attempt
+/// kept.
 void Experiment::keepPart(std::size_t index, const fs::path& name) {
   const fs::path kept = keptPart(name, results_[index].pipeline.name);
   std::error_code error;

@@ -20,7 +20,7 @@ class FitIntervals {
 
   /// Value, standard error and 95 % interval of a free coefficient.
   FittedValue of(FitParameter parameter) const;
-  /// Of the viscous share (FitProblem): half the interval's width, s/m, by the standard error.
+  /// Half the width of the viscous share's 95 % interval (FitProblem), s/m, by the standard error.
   double halfWidthOfViscousShare_s_m() const;
   /// How much of what a free damping is told by is no noise of the rates: 0 to 1. The square of how it
   /// changes the residuals beyond what the other free ones may, without the noise's share in that, over the

@@ -42,7 +42,7 @@ class FitProblem {
   LeastSquares solve() const;
   LeastSquares solveFrom(const FitValues& start) const;
 
-  /// Of the weighted residuals.
+  /// The weighted residuals (newtons, one per point) and their derivatives by the coordinates.
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& place) const;
   Eigen::VectorXd residuals(const Eigen::VectorXd& place) const;
 
