@@ -6,6 +6,9 @@
 convex_spatula.obj: 40 x 15 x 2 mm, rounded in plan, bevelled to an edge 0.02 mm thick, a hundredth of its
 thickness: the triangles there are the critical ones of the paper's Fig. 2.
 hooked_spatula.obj: a blade 12 mm wide and 2 mm thick whose end is bent by 90 degrees: closed, but not convex.
+flat_bar.obj: 90 x 12 x 1.5 mm with a hole near one end, triangulated as CAD programs do, without a vertex inside a face:
+slivers from the hole's edges of 0.3 mm to the bar's corners, up to 82 mm away, and edges of 90 mm.
+sheet.obj: 40 x 15 mm without thickness: open, its faces look down.
 """
 import pathlib
 import sys
@@ -76,6 +79,41 @@ def hooked_spatula():
     return vertices, faces
 
 
+def flat_bar():
+    length, half_width, half_thickness, middle, radius, count = 90.0, 6.0, 0.75, 8.0, 3.0, 60
+    angle = 2 * np.pi * np.arange(count) / count
+    # From +x over +z to -x: the hole, and the corners in the quarter of the hole's edges that they are joined to.
+    hole = np.column_stack([middle + radius * np.cos(angle), radius * np.sin(angle)])
+    corners = np.array([(length, half_width), (0, half_width), (0, -half_width), (length, -half_width)])
+    plan = np.vstack([hole, corners])
+    vertices = np.array([(x, y, z) for y in (half_thickness, -half_thickness) for x, z in plan])
+    below = len(plan)
+    flat = []
+    for i in range(count):
+        flat.append((i, (i + 1) % count, count + 4 * i // count))
+    for corner in range(4):
+        flat.append((count + corner, ((corner + 1) * count // 4) % count, count + (corner + 1) % 4))
+    faces = [(a, b, c) for a, b, c in flat] + [(below + a, below + c, below + b) for a, b, c in flat]
+    for start, edges, inward in ((0, count, False), (count, 4, True)):
+        for i in range(edges):
+            a, b = start + i, start + (i + 1) % edges
+            quad = [(a, a + below, b + below), (a, b + below, b)]
+            faces += [(x, z, y) for x, y, z in quad] if inward else quad
+    return vertices, faces
+
+
+def sheet():
+    along, across = np.linspace(-20, 20, 9), np.linspace(-7.5, 7.5, 4)
+    vertices = np.array([(x, 0, z) for x in along for z in across])
+    count = len(across)
+    faces = []
+    for i in range(len(along) - 1):
+        for k in range(count - 1):
+            a, b, c, d = i * count + k, (i + 1) * count + k, (i + 1) * count + k + 1, i * count + k + 1
+            faces += [(a, b, c), (a, c, d)]
+    return vertices, faces
+
+
 def volume(vertices, faces):
     a, b, c = (vertices[np.array(faces)[:, i]] for i in range(3))
     return np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
@@ -96,6 +134,8 @@ def main():
                           pathlib.Path(__file__).resolve().parent.parent / "configs" / "meshes")
     write(folder / "convex_spatula.obj", *convex_spatula())
     write(folder / "hooked_spatula.obj", *hooked_spatula())
+    write(folder / "flat_bar.obj", *flat_bar())
+    write(folder / "sheet.obj", *sheet())
 
 
 if __name__ == "__main__":
