@@ -86,6 +86,10 @@ INSTANTIATE_TEST_SUITE_P(
                  LengthUnit::m,
                  193,
                  {{boundary_edges, 19}, {non_manifold_edges, 6}, {inconsistent_edges, 6}, {shells, 3}}},
+        RealMesh{"spike", "erleben/spike.obj", LengthUnit::cm, 6, {}},
+        RealMesh{"wedge", "erleben/wedge.obj", LengthUnit::cm, 8, {}},
+        RealMesh{"cliff", "erleben/cliff.obj", LengthUnit::cm, 12, {}},
+        RealMesh{"hole", "erleben/hole.obj", LengthUnit::cm, 88, {{boundary_edges, 12}}},
         RealMesh{"teddy", "bullet/teddy.obj", LengthUnit::mm, 3192, {}}),
     [](const auto& tested) { return std::string(tested.param.name); });
 

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <string>
 
@@ -280,16 +282,30 @@ TEST(Write, QuaternionsAreNormalisedOnceAndThenStay) {
 }
 
 TEST(Configs, EachOneLoadsAndRoundTripsAndSaysWhatItStresses) {
-  int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(FISSURE_SOURCE_DIR "/configs")) {
-    if (entry.path().extension() != ".yaml") continue;
-    const LoadedScenario loaded = loadScenario(entry.path());
-    EXPECT_EQ(parseScenario(loaded.resolved, entry.path()).scenario, loaded.scenario) << entry.path();
-    EXPECT_EQ(loaded.scenario.name, entry.path().stem());
-    EXPECT_EQ(loaded.source.substr(0, 11), "# Stresses ") << entry.path();
-    ++count;
+  for (const char* folder : {"/configs", "/configs/fixtures"}) {
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(FISSURE_SOURCE_DIR + std::string(folder))) {
+      if (entry.path().extension() != ".yaml") continue;
+      const LoadedScenario loaded = loadScenario(entry.path());
+      EXPECT_EQ(parseScenario(loaded.resolved, entry.path()).scenario, loaded.scenario) << entry.path();
+      EXPECT_EQ(loaded.scenario.name, entry.path().stem());
+      EXPECT_EQ(loaded.source.substr(0, 11), "# Stresses ") << entry.path();
+      ++count;
+    }
+    EXPECT_GE(count, 20) << folder;
   }
-  EXPECT_GE(count, 2);
+}
+
+TEST(Configs, EveryFixtureIsCertifiedAndNamesTheMethod) {
+  for (const auto& entry : std::filesystem::directory_iterator(FISSURE_SOURCE_DIR "/configs/fixtures")) {
+    if (entry.path().extension() != ".yaml") continue;
+    const Scenario scenario = loadScenario(entry.path()).scenario;
+    EXPECT_TRUE(scenario.measure.certify) << entry.path();
+    EXPECT_EQ(scenario.tools.size(), 1u) << entry.path();
+    EXPECT_TRUE(std::any_of(scenario.pipelines.begin(), scenario.pipelines.end(),
+                            [](const PipelineSettings& pipeline) { return pipeline.name == "fukuhara"; }))
+        << entry.path();
+  }
 }
 
 /// METHOD M1: the tool's lower face starts 6 mm above the sphere's top and ends 25 mm below it.
