@@ -55,6 +55,13 @@ std::vector<hsize_t> statedShape(hid_t dataset) {
   return shape;
 }
 
+/// Those who open files say themselves which file it is.
+void requireRegular(const std::filesystem::path& path) try {
+  requireInputFile(path, "an HDF5 file");
+} catch (const InputError& error) {
+  throw RunError(error.text());
+}
+
 [[noreturn]] void refuseStated(double stated_bytes) {
   std::ostringstream text;
   text << "a dataset states " << std::round(stated_bytes / 1e6) << " MB, more than is stored of it";
@@ -109,7 +116,7 @@ Id accessProperties() {
 }
 
 Id openToRead(const std::filesystem::path& path) {
-  requireInputFile(path, "an HDF5 file");
+  requireRegular(path);
   const Id access = accessProperties();
   // A reader's lock would keep a worker that goes on from finishing its part; results change only by
   // renaming.

@@ -72,10 +72,10 @@ TEST(Apart, OneThatOnlyWaitsIsKilledByTheClock) {
 
 TEST(Apart, OneThatTakesTooMuchMemoryFails) {
   const auto take = [] {
-    if (std::vector<char>(std::size_t{1} << 30, 'x').back() != 'x') throw std::logic_error("not filled");
+    if (std::vector<char>(std::size_t{1} << 28, 'x').back() != 'x') throw std::logic_error("not filled");
   };
-  EXPECT_NO_THROW(doApart(take, {.processor_s = 60, .memory_bytes = std::uint64_t{4} << 30}));
-  EXPECT_THROW(doApart(take, {.processor_s = 60, .memory_bytes = std::uint64_t{1} << 28}), RunError);
+  EXPECT_NO_THROW(doApart(take, {.processor_s = 60, .memory_bytes = std::uint64_t{1} << 30}));
+  EXPECT_THROW(doApart(take, {.processor_s = 60, .memory_bytes = std::uint64_t{1} << 26}), RunError);
 }
 
 TEST(Apart, ARequestThatIsHeldBackEndsItUnlessAResultWouldBeLost) {
