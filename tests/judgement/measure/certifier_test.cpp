@@ -8,6 +8,7 @@
 #include <map>
 #include <random>
 
+#include "certificate_table.h"
 #include "exact_overlap.h"
 #include "measure/probe_makers.h"
 #include "mesh/primitives.h"
@@ -255,8 +256,7 @@ TEST(Certifier, NeverProvesAnOverlap) {
         for (Vec3& vertex : state.positions_m) vertex += test::randomIn(random, noise);
     }
   }
-  std::cout << steps << " steps: " << certified << " certified, " << overlapping << " overlapping, "
-            << free_but_unproved << " free of overlap but not proved\n";
+  test::addCertificateRow("steps of sequences", steps, overlapping, 0, free_but_unproved);
   EXPECT_GT(certified, steps / 4);
   EXPECT_GT(overlapping, steps / 4);
   EXPECT_LT(free_but_unproved, steps / 10);  // those that jumped through
