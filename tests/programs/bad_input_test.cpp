@@ -137,8 +137,9 @@ TEST(BadFile, NamesTooLongForWhatIsMadeBesideTheResult) {
 TEST(BadFile, TooFewDescriptorsAreNoFullDisk) {
   const Folder folder;
   folder.write("s.yaml", pressScenario());
-  const Outcome outcome =
-      runTool(folder, {"sh", "-c", "ulimit -n 5; exec " + fissureProgram() + " run s.yaml -o out.h5"});
+  const Outcome outcome = runTool(
+      folder,
+      {"sh", "-c", "exec 3>&- 4>&-; ulimit -n 5; exec " + fissureProgram() + " run s.yaml -o out.h5"});
   EXPECT_EQ(outcome.code, 3);
   EXPECT_NE(outcome.err.find("Too many open files"), std::string::npos) << outcome.err;
 }
