@@ -11,6 +11,7 @@
 #include "main/exit_codes.h"
 #include "main/one_line.h"
 #include "main/verbs.h"
+#include "text/terminal_text.h"
 
 namespace {
 
@@ -61,6 +62,8 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Names and texts of results and scenarios come from anywhere: none of them may command the terminal.
+  const PlainOutput plain_out(std::cout), plain_err(std::cerr);
   try {
     setSignals();
     return start(argc, argv);
