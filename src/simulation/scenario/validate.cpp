@@ -7,6 +7,7 @@
 #include "base/utf8.h"
 #include "scenario/checker.h"
 #include "scenario/rigid_tools.h"
+#include "scenario/summary_keys.h"
 #include "text/scalars.h"
 
 namespace fissure {
@@ -150,6 +151,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
   checkFriction(check.in("tools"), scenario);
   checkJawNames(check.in("tools"), scenario.tools);
   checkCouplings(check.in("tools"), scenario);
+  checkSummaryKeys(check, scenario);
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 
