@@ -14,7 +14,7 @@ namespace fissure {
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
 /// Where the tools are and how fast they move.
-std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
+std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
 /// What nodes and contacts did, and the reaction.
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene);
