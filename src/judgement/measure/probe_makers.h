@@ -13,6 +13,9 @@ namespace fissure {
 /// How deep tools are in tissue, and what passed through.
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
+/// Which steps are proved free of overlap.
+std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
+
 /// Where the tools are and how fast they move.
 std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
