@@ -8,7 +8,15 @@ namespace fissure {
 
 namespace {
 
-constexpr std::string_view blanks = " \t\r";
+constexpr std::string_view blanks = " \t";
+
+/// Takes the next line, without its end: CR, LF or both.
+std::string_view takeLine(std::string_view& text) {
+  const std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  text.remove_prefix(line.size());
+  text.remove_prefix(text.starts_with("\r\n") ? 2 : std::min<std::size_t>(text.size(), 1));
+  return line;
+}
 
 /// Takes the next word of a line; empty at its end.
 std::string_view takeWord(std::string_view& line) {
@@ -56,8 +64,7 @@ UnusedVertices unusedVertices(std::string_view obj) {
   Vertices vertices;
   bool in_face = false, goes_on = false;  // a backslash at its end carries a line on
   for (int number = 1; !obj.empty(); ++number) {
-    std::string_view line = obj.substr(0, obj.find('\n'));
-    obj.remove_prefix(std::min(line.size() + 1, obj.size()));
+    std::string_view line = takeLine(obj);
     line = line.substr(0, line.find_last_not_of(blanks) + 1);
     if (!goes_on) {
       const std::string_view key = takeWord(line);

@@ -98,6 +98,7 @@ TEST(UnusedVertices, FacesNameThemInEveryWay) {
   EXPECT_EQ(unused(three + "vn 0 0 1\nvt 0 0\nf 1 1 2\n"), 1u);
   EXPECT_EQ(unused(three + "l 1 2 3\n"), 3u) << "lines are no surface";
   EXPECT_EQ(unused(three + "f 0 9 x -7\n"), 3u);
+  EXPECT_EQ(unusedVertices("v 0 0 0\rv 1 0 0\rv 0 1 0\rv 0 0 1\rf 1 2 3\r").first_line, 4);
   EXPECT_EQ(unusedVertices("\n" + three + "f 1 3 3\n").first_line, 3);
 }
 
