@@ -14,6 +14,7 @@
 #include "main/one_line.h"
 #include "main/verbs.h"
 #include "process/interrupt.h"
+#include "text/terminal_text.h"
 
 namespace {
 
@@ -75,6 +76,8 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Names and texts of results and scenarios come from anywhere: none of them may command the terminal.
+  const PlainOutput plain_out(std::cout), plain_err(std::cerr);
   try {
     setSignals();
     return start(argc, argv);

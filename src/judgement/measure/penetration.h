@@ -52,6 +52,8 @@ class PenetrationMeter {
   long long sampleCount() const;
   /// How often the surface was searched around a sample, since the start: what measuring costs.
   long long searches() const { return searches_; }
+  /// How often a sample was looked for crossing a triangle, since the start.
+  long long crossingTests() const { return crossing_tests_; }
 
  private:
   struct Body {
@@ -101,6 +103,7 @@ class PenetrationMeter {
   std::vector<Body> bodies_;
   std::vector<Tool> tools_;
   long long searches_ = 0;
+  long long crossing_tests_ = 0;
   bool connected_ = false;  // a measurable step came before
   std::vector<Crossing> crossings_;
 };

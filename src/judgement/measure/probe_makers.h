@@ -17,7 +17,7 @@ std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSet
 std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
 
 /// Where the tools are and how fast they move.
-std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
+std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
 /// What nodes and contacts did, and the reaction.
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene);

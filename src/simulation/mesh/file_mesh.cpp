@@ -7,12 +7,17 @@
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/mesh_text.h"
+#include "mesh/obj_vertices.h"
 
 namespace fissure {
 namespace {
@@ -159,6 +164,16 @@ std::string shortened(const std::string& complaint) {
   return line;
 }
 
+std::string percent(double share) {
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
+  return text.data();
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 /// Faces that cannot be split into triangles.
 void refuseBadFaces(const std::string& file, const aiScene& scene) {
   std::size_t faces = 0, few = 0, beyond = 0;
@@ -179,6 +194,70 @@ void refuseBadFaces(const std::string& file, const aiScene& scene) {
   if (beyond > 0)
     throw InputError(inFile(file), std::to_string(beyond) + " of its " + std::to_string(faces) +
                                        " faces name a vertex that does not exist (a damaged file)");
+}
+
+/// How far the corners of a polygon lie off the plane through their middle, as a share of its extent.
+double bend(const aiMesh& part, const aiFace& face) {
+  std::vector<Vec3> corners;
+  Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
+  for (unsigned i = 0; i < face.mNumIndices; ++i) {
+    const aiVector3D& p = part.mVertices[face.mIndices[i]];
+    corners.emplace_back(p.x, p.y, p.z);
+    middle += corners.back() / face.mNumIndices;
+  }
+  double off = 0, extent = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    normal += (corners[i] - middle).cross(corners[(i + 1) % corners.size()] - middle);
+  for (const Vec3& corner : corners) {
+    off = std::max(off, std::abs(normal.normalized().dot(corner - middle)));
+    extent = std::max(extent, 2 * (corner - middle).norm());
+  }
+  return extent > 0 ? off / extent : 0;
+}
+
+/// A polygon bent by more than this share of its extent is not planar: far more than rounding to single
+/// precision does.
+constexpr double largest_bend = 1e-3;
+
+void noteBentPolygons(const aiScene& scene, std::vector<Defect>& oddities) {
+  std::size_t faces = 0, bent = 0, first = 0;
+  double first_bend = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    for (const aiFace* face = part.mFaces; face != part.mFaces + part.mNumFaces; ++face, ++faces) {
+      const double share = face->mNumIndices > 3 ? bend(part, *face) : 0;
+      if (!(share > largest_bend) || ++bent > 1) continue;
+      first = faces;
+      first_bend = share;
+    }
+  }
+  if (bent == 0) return;
+  oddities.push_back({DefectKind::non_planar_polygons, bent,
+                      counted(bent, "non-planar polygon", "non-planar polygons") +
+                          " (their triangles are the reader's choice; the first is face " +
+                          std::to_string(first) + " of the file, counted from 0, bent by " +
+                          percent(first_bend) + " of its extent)"});
+}
+
+void noteUnused(std::size_t count, const std::string& first, std::vector<Defect>& oddities) {
+  if (count == 0) return;
+  oddities.push_back(
+      {DefectKind::unused_vertices, count,
+       counted(count, "vertex", "vertices") + " of the file in no face (the first is " + first + ")"});
+}
+
+/// OBJ's are not in the mesh: Assimp leaves them out.
+void noteUnusedVertices(const MeshText& text, const TriangleMesh& mesh, std::vector<Defect>& oddities) {
+  if (text.format == MeshFormat::obj) {
+    const UnusedVertices unused = unusedVertices(text.bytes);
+    return noteUnused(unused.count, "in line " + std::to_string(unused.first_line), oddities);
+  }
+  std::vector<char> used(mesh.vertices_m.size(), 0);
+  for (const Face& face : mesh.faces)
+    for (const int v : face) used[static_cast<std::size_t>(v)] = 1;
+  const auto first = std::find(used.begin(), used.end(), 0);
+  noteUnused(static_cast<std::size_t>(std::count(first, used.end(), 0)),
+             "vertex " + std::to_string(first - used.begin()) + ", counted from 0", oddities);
 }
 
 bool hasPolygons(const aiScene& scene) {
@@ -206,7 +285,7 @@ void append(const aiMesh& part, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh readMeshFile(const std::filesystem::path& file) {
+FileMesh readMeshFile(const std::filesystem::path& file) {
   const MeshText text = readMeshText(file);
   Assimp assimp;
   const auto requireGood = [&](bool read) {
@@ -216,14 +295,17 @@ TriangleMesh readMeshFile(const std::filesystem::path& file) {
   Assimp::Scene scene = assimp.read(text);
   requireGood(scene != nullptr);
   refuseBadFaces(file.string(), *scene);
+  FileMesh file_mesh;
+  TriangleMesh& mesh = file_mesh.mesh;
+  noteBentPolygons(*scene, file_mesh.oddities);
   if (hasPolygons(*scene)) assimp.triangulate(scene);
   requireGood(true);
-  TriangleMesh mesh;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
   if (mesh.faces.size() > max_triangles)
     throw InputError(inFile(file), "has " + std::to_string(mesh.faces.size()) +
                                        " triangles, expected at most " + std::to_string(max_triangles));
-  return mesh;
+  noteUnusedVertices(text, mesh, file_mesh.oddities);
+  return file_mesh;
 }
 
 }  // namespace fissure

@@ -1,10 +1,20 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "base/geometry.h"
+#include "mesh/check.h"
 
 namespace fissure {
+
+/// What a mesh file holds.
+struct FileMesh {
+  TriangleMesh mesh;
+  /// What is odd about the file that its triangles do not show: unused vertices and non-planar polygons, each
+  /// with the first of them.
+  std::vector<Defect> oddities;
+};
 
 /// The surface in an STL, OBJ, PLY or OFF file (by its ending), read by Assimp: the file's own numbers, in
 /// single precision as Assimp keeps them, all its parts together, polygons split into triangles. Nothing else
@@ -16,6 +26,6 @@ namespace fissure {
 /// that do not exist, no faces, anything that Assimp finds wrong. Assimp may also crash on a damaged file, or
 /// never end: read a file of unknown origin in a process of its own first. RunError when Assimp is not
 /// installed.
-TriangleMesh readMeshFile(const std::filesystem::path& file);
+FileMesh readMeshFile(const std::filesystem::path& file);
 
 }  // namespace fissure

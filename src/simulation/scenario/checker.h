@@ -19,7 +19,10 @@ class Checker {
   /// For the entry `key` of this one.
   Checker in(const std::string& key) const { return {problems_, pathOf(key)}; }
 
-  void fail(const std::string& key, const std::string& what) { problems_.push_back({pathOf(key), what}); }
+  /// `others`: paths of what else this is about.
+  void fail(const std::string& key, const std::string& what, const std::vector<std::string>& others = {}) {
+    problems_.push_back({pathOf(key), what, others});
+  }
   void require(bool good, const std::string& key, const std::string& what) {
     if (!good) fail(key, what);
   }

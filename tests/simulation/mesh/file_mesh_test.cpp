@@ -104,7 +104,7 @@ TEST_F(MeshFile, EveryFormatGivesTheSameTriangles) {
       {"a.stl", asBinaryStl(mesh)}, {"b.STL", asTextStl(mesh)},   {"c.obj", asObj(mesh)},
       {"d.ply", asTextPly(mesh)},   {"e.ply", asBinaryPly(mesh)}, {"f.off", asOff(mesh)}};
   for (const auto& [name, bytes] : files) {
-    TriangleMesh read = readMeshFile(folder_.write(name, bytes));
+    TriangleMesh read = readMeshFile(folder_.write(name, bytes)).mesh;
     ASSERT_EQ(read.faces.size(), mesh.faces.size()) << name;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       for (std::size_t k = 0; k < 3; ++k)
@@ -120,7 +120,7 @@ TEST_F(MeshFile, PolygonsBecomeTriangles) {
   const std::string quads =
       "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
       "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  const TriangleMesh cube = readMeshFile(folder_.write("cube.off", quads));
+  const TriangleMesh cube = readMeshFile(folder_.write("cube.off", quads)).mesh;
   EXPECT_EQ(cube.faces.size(), 12u);
   EXPECT_EQ(findDefects(cube), std::vector<std::string>{});
   EXPECT_NEAR(signedVolume_m3(cube), 1, 1e-6);
@@ -129,7 +129,7 @@ TEST_F(MeshFile, PolygonsBecomeTriangles) {
 TEST_F(MeshFile, SeveralSolidsAreOneSurface) {
   TriangleMesh other = ball();
   for (Vec3& v : other.vertices_m) v *= 2;
-  const TriangleMesh both = readMeshFile(folder_.write("two.stl", asTextStl(ball()) + asTextStl(other)));
+  const TriangleMesh both = readMeshFile(folder_.write("two.stl", asTextStl(ball()) + asTextStl(other))).mesh;
   EXPECT_EQ(both.faces.size(), 2 * other.faces.size());
   EXPECT_EQ(both.vertices_m[both.faces.back()[2]], other.vertices_m[other.faces.back()[2]]);
 }
