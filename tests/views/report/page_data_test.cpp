@@ -119,7 +119,7 @@ TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
   EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 steps is no number");
   EXPECT_TRUE(hasWarning(page, "crashed: killed by signal 11 at step 3", true));
   EXPECT_TRUE(hasWarning(page, "it left no series", true));
-  EXPECT_EQ(page["runs"][1]["status"], "crashed");
+  EXPECT_EQ(page["runs"][1]["end"]["status"], "crashed");
   EXPECT_EQ(page["runs"][1]["times"]["count"], 0);
   EXPECT_EQ((*findPlot(page, "penetration_depth"))["variants"][0]["series"].size(), 1u);
 }
