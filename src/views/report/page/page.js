@@ -151,7 +151,7 @@ function summary() {
   const table = numberTable(data.key_numbers, 'numbers');
   const rows = [
     ['Ended', run => run.end.status, run => run.end.finished ? '' : 'bad'],
-    ['Verdict', run => run.end.verdict, run => run.end.grade],
+    ['Verdict', run => run.end.verdict, run => 'verdict ' + run.end.grade],
     ['Pipeline', run => run.pipeline + (run.precision ? ', ' + run.precision : ''), () => ''],
   ].map(([label, text, kind]) => element('tr', {}, element('th', {scope: 'row'}, label),
     ...data.runs.map(run => element('td', {class: kind(run)}, text(run)))));
@@ -206,7 +206,7 @@ function folderRows(result) {
       name, element('br'), element('span', {class: 'soft'}, result.title)),
     element('td', {class: 'left'}, run.name),
     element('td', {class: run.end.finished ? 'left' : 'left bad'}, run.end.status),
-    element('td', {class: 'left ' + run.end.grade}, run.end.verdict),
+    element('td', {class: 'left verdict ' + run.end.grade}, run.end.verdict),
     ...result.numbers[index].map(cell => element('td', {class: cell.bad ? 'bad' : ''}, cell.text))));
   return rows.length ? rows : [element('tr', {}, element('th', {scope: 'row'}, name),
     element('td', {class: 'problem', colspan: data.columns.length + 3}, 'no run'))];
