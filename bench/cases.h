@@ -12,6 +12,7 @@ namespace fissure::bench {
 
 void addStepCases();
 void addContactCases();
+void addCertificateCases();
 void addRecordCases();
 void addOutputCases();
 void addCompareCases();

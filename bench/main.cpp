@@ -9,6 +9,9 @@
 //   measure/<triangles>/<where>      PenetrationMeter::measure of one step: the spatula 5 mm above the sphere
 //                                    (outside), pressed in with tissue held in front of it (touching), 8 mm
 //                                    inside undeformed tissue (deep)
+//   certify/<scenario>/<pipeline>    Certifier::certify of each step of a run as configured; step_us: the
+//   step
+//                                    itself
 //   record/<scenario>/<pipeline>     what a run as configured pays a step for being measured (median),
 //                                    written and drawn (means)
 //   store/append                     one row of spatula_press into a part file: the median of blocks
@@ -34,6 +37,7 @@ int main(int argc, char** argv) {
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   fissure::bench::addStepCases();
   fissure::bench::addContactCases();
+  fissure::bench::addCertificateCases();
   fissure::bench::addRecordCases();
   fissure::bench::addOutputCases();
   fissure::bench::addCompareCases();

@@ -20,6 +20,7 @@ COLUMNS = {  # summary value: heading, factor, format
     "max_ground_depth_m": ("below ground [mm]", 1e3, ".6g"),
     "passed_through_samples": ("passed through", 1, ".0f"),
     "max_inverted_triangles": ("inverted", 1, ".0f"),
+    "uncertified_steps": ("not proved", 1, ".0f"),
     "max_force_N": ("peak force [N]", 1, ".6g"),
     "force_roughness": ("roughness", 1, ".6g"),
     "contacts_total": ("contacts", 1, ".0f"),

@@ -19,6 +19,9 @@ std::unique_ptr<Probe> makeGroundProbe(double height_m);
 /// Whether tissue is sound by itself, in a scene without tools.
 std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);
 
+/// Which steps are proved free of overlap.
+std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
+
 /// Where the tools are and how fast they move.
 std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
 

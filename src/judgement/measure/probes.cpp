@@ -11,6 +11,7 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
   std::vector<std::unique_ptr<Probe>> probes;
   if (!scene.tools.empty()) {
     probes.push_back(makePenetrationProbe(scene, scenario.measure));
+    if (scenario.measure.certify) probes.push_back(makeCertificateProbe(scene));
     probes.push_back(makeToolProbe(scene));
     probes.push_back(makeContactProbe(scene));
   } else {

@@ -38,21 +38,23 @@ const Mat3& SurfaceTree::frame() {
   return rotation;
 }
 
-SurfaceTree::SurfaceTree(const TriangleMesh& mesh)
-    : faces_(mesh.faces.size()), vertices_(mesh.vertices_m.size()) {
+SurfaceTree::SurfaceTree(const TriangleMesh& mesh, const Mat3& to_tree)
+    : to_tree_(to_tree),
+      order_(mesh.faces.size()),
+      faces_(mesh.faces.size()),
+      vertices_(mesh.vertices_m.size()) {
   assert(!mesh.faces.empty());
   const int count = static_cast<int>(mesh.faces.size());
   std::vector<Vec3> centroids;
   centroids.reserve(mesh.faces.size());
   for (const Face& face : mesh.faces) {
     const auto corner = [&](int i) { return mesh.vertices_m[static_cast<std::size_t>(face[i])]; };
-    centroids.push_back(toTree(corner(0) + corner(1) + corner(2)) / 3.0);
+    centroids.push_back(to_tree_ * (corner(0) + corner(1) + corner(2)) / 3.0);
   }
-  std::vector<int> order(mesh.faces.size());  // of faces, leaf by leaf
-  std::iota(order.begin(), order.end(), 0);
-  build(0, count, centroids, order);
+  std::iota(order_.begin(), order_.end(), 0);
+  build(0, count, centroids);
   for (std::size_t i = 0; i < faces_.size(); ++i) {
-    faces_[i] = mesh.faces[static_cast<std::size_t>(order[i])];
+    faces_[i] = mesh.faces[static_cast<std::size_t>(order_[i])];
   }
   triangles_.resize(faces_.size());
   previous_.resize(faces_.size());
@@ -62,11 +64,11 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh)
   forgetMotion();
 }
 
-void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids, std::vector<int>& order) {
+void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids) {
   const std::size_t node = nodes_.size();
   nodes_.push_back({0, first, count <= kTrianglesPerLeaf ? count : 0});
   if (count > kTrianglesPerLeaf) {
-    const auto begin = order.begin() + first;
+    const auto begin = order_.begin() + first;
     const auto centroid = [&](int face) -> const Vec3& { return centroids[static_cast<std::size_t>(face)]; };
     TreeBox box{centroid(*begin), centroid(*begin)};
     for (auto face = begin; face != begin + count; ++face) {
@@ -78,15 +80,15 @@ void SurfaceTree::build(int first, int count, std::span<const Vec3> centroids, s
     std::nth_element(begin, begin + count / 2, begin + count, [&](int one, int other) {
       return std::pair(centroid(one)[axis], one) < std::pair(centroid(other)[axis], other);
     });
-    build(first, count / 2, centroids, order);
-    build(first + count / 2, count - count / 2, centroids, order);
+    build(first, count / 2, centroids);
+    build(first + count / 2, count - count / 2, centroids);
   }
   nodes_[node].skip = static_cast<int>(nodes_.size());
 }
 
 void SurfaceTree::update(std::span<const Vec3> vertices_m) {
   assert(vertices_m.size() == vertices_.size());
-  for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i] = toTree(vertices_m[i]);
+  for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i] = to_tree_ * vertices_m[i];
   triangles_.swap(previous_);
   swept_.swap(boxes_);  // the previous boxes, until refit() joins the present ones
   gather();

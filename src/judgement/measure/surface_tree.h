@@ -35,13 +35,13 @@ struct TreeNode {
 
 /// A triangle surface that moves, with a hierarchy of boxes over its triangles. The hierarchy's shape is made
 /// once; a step only refits the boxes, and allocates nothing. All geometry is kept in the tree's own frame:
-/// the scene's, turned by a fixed rotation under which no direction of ordinary scenes is an axis, so that
-/// rays along its z meet no edge-on triangles of boxes and grids.
+/// the mesh's, turned by a fixed rotation (frame(), unless another is given) under which no direction of
+/// ordinary scenes is an axis, so that rays along its z meet no edge-on triangles of boxes and grids.
 class SurfaceTree {
  public:
   /// `mesh` gives the triangles and their first positions; `faces` stay, vertices move. At least one
   /// triangle.
-  explicit SurfaceTree(const TriangleMesh& mesh);
+  explicit SurfaceTree(const TriangleMesh& mesh, const Mat3& to_tree = frame());
 
   /// Moves the vertices (as many as the mesh has, scene frame, metres, finite); the positions before become
   /// previous().
@@ -49,7 +49,7 @@ class SurfaceTree {
   /// Makes the present positions the previous ones too: the surface has not moved.
   void forgetMotion();
 
-  /// The rotation from the scene's frame to that of every tree.
+  /// The rotation from the scene's frame to that of every tree that is not given another.
   static const Mat3& frame();
   static Vec3 toTree(const Vec3& in_scene) { return frame() * in_scene; }
 
@@ -60,13 +60,16 @@ class SurfaceTree {
   }  ///< of present and previous positions together
   const std::vector<TreeTriangle>& triangles() const { return triangles_; }  ///< in the order of the leaves
   const std::vector<TreeTriangle>& previous() const { return previous_; }
+  const std::vector<int>& faceIndices() const { return order_; }  ///< in the mesh, of triangles()
 
  private:
-  void build(int first, int count, std::span<const Vec3> centroids, std::vector<int>& order);
+  void build(int first, int count, std::span<const Vec3> centroids);
   void gather();
   void refit();
 
-  std::vector<Face> faces_;  // in the order of the leaves
+  Mat3 to_tree_;
+  std::vector<int> order_;   // of the mesh's faces, leaf by leaf
+  std::vector<Face> faces_;  // in this order
   std::vector<Vec3> vertices_;
   std::vector<TreeTriangle> triangles_;
   std::vector<TreeTriangle> previous_;

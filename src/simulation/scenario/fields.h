@@ -72,6 +72,7 @@ void describe(Io& io, RecordSettings& r) {
 template <class Io>
 void describe(Io& io, MeasureSettings& m) {
   io.field("sample_spacing_m", m.sample_spacing_m);
+  io.field("certify", m.certify);
 }
 
 template <class Io>

@@ -105,7 +105,7 @@ const char* const every_field =
     "    size_px: [320, 240]\n"
     "    camera: {position_m: [1, 1, 1], look_at_m: [0, 1, 0], up: [0, 0, 1], field_of_view_deg: 50}\n"
     "  force_inputs: true\n"
-    "measure: {sample_spacing_m: 0.0004}\n"
+    "measure: {sample_spacing_m: 0.0004, certify: true}\n"
     "expect:\n"
     "  - {quantity: max_penetration_depth_m, pipeline: b, value: 0.1, tolerance: 0.01, min: 0.05, max: "
     "0.2}\n";
@@ -198,7 +198,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                  .per_area = true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
   EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}, true}));
-  EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
+  EXPECT_EQ(s.measure, (MeasureSettings{.sample_spacing_m = 0.0004, .certify = true}));
   EXPECT_EQ(s.tools[0].force_limit_N, 7.5);
   EXPECT_EQ(s.tools[1].force_limit_N, std::nullopt);
   EXPECT_EQ(s.tools[0].coupling, (CouplingSettings{0.06, 2900, 19, "hc"}));

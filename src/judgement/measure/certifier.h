@@ -1,0 +1,91 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/state.h"
+#include "measure/continuous_collision.h"
+#include "measure/surface_tree.h"
+
+namespace fissure {
+
+/// Why the end of a step is not proved free of overlap.
+struct Objection {
+  std::size_t body = 0, tool = 0;  ///< of the scene
+  /// "vertex 12 of sphere may meet triangle 3 of spatula", "spatula may lie inside sphere"; indices of
+  /// corners and triangles as in the surfaces of the scene.
+  std::string what;
+  double time = 0;  ///< share of the step before which they are proved apart, 0..1; 1: found at its end
+};
+
+/// Proves step by step that no tool overlaps tissue (METHOD section 9, certificate), from positions and poses
+/// alone, for every pipeline alike.
+///
+/// In a tool's own frame the tool rests, and each tissue vertex is taken to go straight from where it was
+/// after the step before to where it is now. Where no triangle of the tissue meets one of the tool on the way
+/// (earliestMeeting: none is missed, and rounding counts as meeting), and the step before ended free of
+/// overlap, this one does: neither do surfaces cross nor does one enclose the other, since the tissue's
+/// winding number around the tool, inverted tissue included, changes at crossings alone. The initial state is
+/// tested as a whole, and so is each step's end after one that is not proved: nothing is proved from such an
+/// end until this test finds no overlap.
+///
+/// A proof says nothing of what happens between the ends of steps but along these straight paths, nothing of
+/// tissue against the ground or other tissue, and nothing of the inside of a tool whose surface is open.
+class Certifier {
+ public:
+  explicit Certifier(const Scene& scene);
+
+  /// The state of the next step, the initial one first. No value: its end is proved free of overlap, and so
+  /// is the way there, unless the step before ended in overlap.
+  std::optional<Objection> certify(const State& state);
+
+  /// Pairs of triangles that were asked for a meeting since the start: what certifying costs.
+  long long pairsAsked() const { return pairs_asked_; }
+
+ private:
+  struct Body {
+    std::string name;
+    std::vector<Face> faces;
+    std::size_t first_vertex = 0;
+    std::vector<int> corners_of_parts;
+  };
+  struct Tool {
+    std::string name;
+    TriangleMesh surface;
+    bool closed = true;
+    SurfaceTree tree;  ///< in the tool's frame, at rest
+    std::vector<int> corners_of_parts;
+  };
+  /// A body in a tool's frame, metres.
+  struct Pair {
+    std::size_t body = 0, tool = 0;
+    std::vector<Vec3> before_m, now_m;
+    bool is_free = false;     ///< the last step's end is proved free of overlap
+    double separation_m = 0;  ///< more than the rounding of coordinates in this frame
+  };
+  /// Two primitives that may meet on the way.
+  struct Encounter {
+    std::string what;
+    double time = std::numeric_limits<double>::infinity();
+  };
+
+  static bool moveTo(const State& state, const Body& body, Pair& pair);
+  std::optional<Objection> followPaths(const Pair& pair);
+  std::optional<Objection> testOverlap(const Pair& pair);
+  /// Calls `visit(face of the body, face of the tool, time)` for all pairs of triangles that may meet while
+  /// the body's vertices go from `from_m` to the pair's present ones, until it returns false; `time` as
+  /// earliestMeeting gives it.
+  template <class Visit>
+  void forNearTriangles(const Pair& pair, const std::vector<Vec3>& from_m, const Visit& visit);
+  void refine(const Pair& pair, const Face& of_body, const Face& of_tool, Encounter& earliest) const;
+
+  std::vector<Body> bodies_;
+  std::vector<Tool> tools_;
+  std::vector<Pair> pairs_;
+  long long pairs_asked_ = 0;
+};
+
+}  // namespace fissure
