@@ -181,12 +181,17 @@ void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
   }
 }
 
+// A little less than enough for a sample not to be the deepest: it then need not be looked at in the next
+// steps.
+double PenetrationMeter::enoughFor(const Pair& pair, double depth_m) {
+  return depth_m - std::min(pair.horizon_m, depth_m / 2);
+}
+
 double PenetrationMeter::sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m) {
   Pair& pair = tool.pairs[body_index];
   double depth = at_least_m;
   const auto deepen = [&](std::size_t i) {
-    // A little less than enough: the sample then need not be looked at in the next steps.
-    const double found = look(tool, body_index, i, {.enough_m = depth - std::min(pair.horizon_m, depth / 2)});
+    const double found = look(tool, body_index, i, {.enough_m = enoughFor(pair, depth)});
     if (!(found > depth)) return;
     depth = found;
     pair.deepest = i;
@@ -203,17 +208,27 @@ double PenetrationMeter::sampleDepth_m(Tool& tool, std::size_t body_index, doubl
 double PenetrationMeter::inversionAwareDepth_m(double at_least_m) {
   double depth = at_least_m;
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const Body& body = bodies_[b];
     if (inverted_[b] == 0) continue;
-    const bool folded = std::find(body.buried.begin(), body.buried.end(), 1) != body.buried.end();
-    for (const Tool& tool : tools_) {
-      const Pair& pair = tool.pairs[b];
-      for (std::size_t i = 0; i < pair.winding.size(); ++i) {
-        if (pair.winding[i] == 0 || (!folded && pair.isInside(i))) continue;
-        const double found =
-            distance_m(body.surface, tool.sampleNow(i), {.enough_m = depth, .left_out = body.buried});
-        if (std::isfinite(found)) depth = std::max(depth, found);
-      }
+    const std::vector<std::uint8_t>& buried = bodies_[b].buried;
+    const bool folded = std::find(buried.begin(), buried.end(), 1) != buried.end();
+    for (Tool& tool : tools_) {
+      Pair& pair = tool.pairs[b];
+      const auto deepen = [&](std::size_t i) {
+        // Without folds the way out is the distance to the surface, of which bounds are known.
+        const double found = folded ? distance_m(bodies_[b].surface, tool.sampleNow(i),
+                                                 {.enough_m = depth, .left_out = buried})
+                                    : look(tool, b, i, {.enough_m = enoughFor(pair, depth)});
+        if (!std::isfinite(found) || !(found > depth)) return;
+        depth = found;
+        pair.deepest_inverted = i;
+      };
+      const auto counts = [&](std::size_t i) {
+        if (folded) return pair.winding[i] != 0;
+        return pair.winding[i] < 0 && pair.clearances.atMost_m(i) > depth;
+      };
+      if (counts(pair.deepest_inverted)) deepen(pair.deepest_inverted);
+      for (std::size_t i = 0; i < pair.winding.size(); ++i)
+        if (counts(i)) deepen(i);
     }
   }
   return depth;

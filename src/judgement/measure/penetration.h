@@ -78,9 +78,9 @@ class PenetrationMeter {
 
     Passage passage;
     Clearances clearances;
-    double horizon_m = kStandOffLimit_m;   // how far to look for the surface
-    std::vector<std::int8_t> winding;      // number, after the last look
-    std::size_t deepest = 0, nearest = 0;  // samples of the last step, looked at first
+    double horizon_m = kStandOffLimit_m;                         // how far to look for the surface
+    std::vector<std::int8_t> winding;                            // number, after the last look
+    std::size_t deepest = 0, deepest_inverted = 0, nearest = 0;  // of the last step, looked at first
   };
   /// Where a tool is, in the frame of the surface trees.
   struct ToolPlacement {
@@ -107,6 +107,7 @@ class PenetrationMeter {
   double slack_m(std::size_t body_index) const;
   double look(Tool& tool, std::size_t body_index, std::size_t sample, const DistanceSearch& search);
   void follow(Tool& tool, std::size_t body_index);
+  static double enoughFor(const Pair& pair, double depth_m);
   double sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m);
   double vertexDepth_m(const State& state) const;
   double inversionAwareDepth_m(double at_least_m);

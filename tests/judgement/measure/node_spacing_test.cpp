@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "contact/centroid_nodes.h"
 #include "contact/grid_nodes.h"
 #include "mesh/primitives.h"
 #include "oracles.h"
@@ -43,6 +44,18 @@ TEST(NodeSpacing, IsTakenAgainstTheFinestBody) {
   EXPECT_LT(spacing->edge_m, 0.6 * widestNodeSpacing(plateScene(2, 8))->edge_m);
   EXPECT_GT(spacing->ratio(), kWideNodes);
   EXPECT_LT(widestNodeSpacing(plateScene(2, 36))->ratio(), kWideNodes);
+}
+
+// A CAD program's spatula: two long triangles a face, and a node in the middle of each.
+TEST(NodeSpacing, OfOneNodeATriangleIsWideOnLargeTriangles) {
+  Scene scene = plateScene(2, 0);
+  scene.tools[0].box_size_m.reset();
+  scene.tools[0].surface = makeBox({0.09, 0.002, 0.015});
+  scene.tools[0].nodes = makeCentroidNodes(scene.tools[0].surface, {.rim_nodes = false});
+  const auto spacing = widestNodeSpacing(scene);
+  ASSERT_TRUE(spacing);
+  EXPECT_GT(spacing->spacing_m, 0.03);
+  EXPECT_GT(spacing->ratio(), 2);
 }
 
 TEST(NodeSpacing, IsNoneWithoutNodes) {
