@@ -61,9 +61,12 @@ std::string repairsOf(const Scene& scene) {
   return text;
 }
 
-std::optional<double> depth_m(const RecordLayout& layout, const RecordRow& row) {
-  const Series* depth = layout.find("penetration_depth");
-  return depth ? std::optional(row[depth->first_column]) : std::nullopt;
+FrameDepths depthsIn(const RecordLayout& layout, const RecordRow& row) {
+  const auto value = [&](const char* name) {
+    const Series* series = layout.find(name);
+    return series ? std::optional(row[series->first_column]) : std::nullopt;
+  };
+  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth")};
 }
 
 }  // namespace
@@ -164,7 +167,7 @@ void Run::emit(const Outputs& outputs, RecordRow& row, FrameSource* frames) {
   if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
     outputs.sink.snapshot(state);
   if (frames && isDue(state.step, step_s, record.frames->every_s)) {
-    const auto text = frameText(pipeline_.name, state.time_s, depth_m(outputs.layout, row));
+    const auto text = frameText(pipeline_.name, state.time_s, depthsIn(outputs.layout, row));
     outputs.sink.frame(state.time_s, frames->draw(state, text));
   }
 }
