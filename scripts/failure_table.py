@@ -35,11 +35,15 @@ QUANTITIES = {
     "max_penetration_depth_m": "depth",
     "passed_through_samples": "passed",
     "max_inverted_triangles": "inverted",
+    "max_inversion_aware_depth_m": "depth with inverted tissue",
+    "uncertified_steps": "not proved",
+    "max_ground_depth_m": "below the ground",
     "force_roughness": "roughness",
     "max_force_N": "force",
 }
 HOLDS_MM = 0.5  # a depth that the main job allows with 8 x 8 nodes
 FAR_MM = 5
+HIDDEN_MM = 0.05  # by as much inverted tissue must deepen a depth to be shown
 
 
 def entries():
@@ -89,13 +93,20 @@ def measure(arguments, speed_m_s, thickness_mm, subdivisions):
         yield row
 
 
+def measured_text(row):
+    """Worst depth in mm, and what it hides: with inverted tissue counted, passed through, inverted, steps not proved."""
+    depth_mm, aware_mm = 1000 * row["max_penetration_depth_m"], 1000 * row["max_inversion_aware_depth_m"]
+    text = f"{depth_mm:.2f}" + (f"/{aware_mm:.2f}" if aware_mm > depth_mm + HIDDEN_MM else "")
+    for key, marks in (("passed_through_samples", "()"), ("max_inverted_triangles", "[]"), ("uncertified_steps", "{}")):
+        text += f" {marks[0]}{row[key]}{marks[1]}" if row[key] else ""
+    return text
+
+
 def cell(row):
     depth = row["max_penetration_depth_m"]
     if row["status"] != "ok" or depth is None:
         return row["status"] if row["status"] != "ok" else "nan"
-    text = f"{1000 * depth:.2f}"
-    text += f" ({row['passed_through_samples']})" if row["passed_through_samples"] else ""
-    text += f" [{row['max_inverted_triangles']}]" if row["max_inverted_triangles"] else ""
+    text = measured_text(row)
     roughness = row["force_roughness"]
     return text + ("; -" if roughness is None else f"; {roughness:.2g}")
 
@@ -106,7 +117,8 @@ NOTES = """\
     /usr/bin/python3 scripts/failure_table.py
 
 Worst penetration depth, mm; roughness of the force (RMS of its second difference over its RMS; -: no force). (n): n tool samples
-passed right through; [n]: up to n tissue triangles inverted, where depth can hide.
+passed right through; [n]: up to n tissue triangles inverted, where depth can hide; a/b: a deep, and b where inverted tissue counts
+as tissue; {n}: n steps whose end is not proved free of overlap.
 
 ![Worst depth over speed, thickness and mesh](depth.png)
 
@@ -130,11 +142,11 @@ def write_table(path, rows):
 
 
 def verdict(row):
-    """0: holds, 1: partly in, 2: fails; a run without a number fails, and so does tissue turned inside out."""
+    """0: holds and is proved, 1: partly in or not proved, 2: fails; a run without a number fails, and so does tissue turned inside out."""
     depth = row["max_penetration_depth_m"]
     if row["status"] != "ok" or depth is None or 1000 * depth > FAR_MM or row["passed_through_samples"]:
         return 2
-    return 1 if 1000 * depth > HOLDS_MM or row["max_inverted_triangles"] else 0
+    return 1 if 1000 * depth > HOLDS_MM or row["max_inverted_triangles"] or row["uncertified_steps"] else 0
 
 
 def draw(path, rows):
@@ -158,7 +170,7 @@ def draw(path, rows):
         axis.set_xlabel("tool speed [m/s], by thickness of the blade")
         axis.set_title(f"{triangles} triangles", pad=20, fontsize=10)
     axes[0].set_yticks(range(len(names)), names, fontsize=8)
-    figure.text(0.01, 0.01, f"worst depth [mm]; green: at most {HOLDS_MM} mm; yellow: up to {FAR_MM} mm or tissue inverted; red: deeper or passed", fontsize=8)
+    figure.text(0.01, 0.01, f"worst depth [mm]; green: at most {HOLDS_MM} mm; yellow: up to {FAR_MM} mm, tissue inverted or a step not proved; red: deeper or passed", fontsize=8)
     figure.tight_layout(rect=(0, 0.04, 1, 1))
     figure.savefig(path, dpi=90)
 

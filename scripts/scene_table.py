@@ -31,6 +31,9 @@ SUMMARY = {
     "max_penetration_depth_m": "depth_m",
     "passed_through_samples": "passed",
     "max_inverted_triangles": "inverted",
+    "max_inversion_aware_depth_m": "aware_depth_m",
+    "max_ground_depth_m": "ground_m",
+    "uncertified_steps": "not_proved",
     "max_force_N": "force_N",
     "force_roughness": "roughness",
 }
@@ -48,10 +51,11 @@ HEAD = """# Scenes x pipelines x speeds
     /usr/bin/python3 scripts/scene_table.py --pictures    # the strips: first contact, halfway and end, `fukuhara`, speeds as in configs/
 
 Every scene of configs/ that has a tool. x: factor on the speeds of all motion segments (durations divided, holds as they are); replayed
-logs run as they are. Speed: the fastest that any point of a tool moves. Depth: the worst of the run. Force: peak of the scene's first
-law. Time: mean step over that of the scene's first run at this speed; runs shared two cores, so only a factor of two says something.
+logs run as they are. Speed: the fastest that any point of a tool moves. Depth: the worst of the run; with inverted: where
+inverted tissue counts as tissue. Below ground: of tissue, in Bullet's ground contact. Not proved: steps whose end is not proved free of
+overlap between tool and tissue. Force: peak of the scene's first law. Time: mean step over that of the scene's first run at this speed; runs shared two cores, so only a factor of two says something.
 Spacing: the widest between neighbouring nodes, over the tissue's mean edge; the method promises its depth up to 0.5.
-**Bold**: `fukuhara` deeper than {limit} mm, with samples that passed through, or not finished.
+**Bold**: `fukuhara` deeper than {limit} mm (inverted tissue counted), with samples that passed through, or not finished.
 
 """
 RETREAT_NOTE = """\
@@ -183,16 +187,18 @@ def number(text, form, factor=1):
 
 
 def broken(row):
-    deep = not 1000 * float(row["depth_m"]) <= LIMIT_MM  # NaN is deep
+    deep = not 1000 * max(float(row["depth_m"]), float(row["aware_depth_m"])) <= LIMIT_MM  # NaN is deep
     return row["run"] == METHOD and (row["status"] != "ok" or deep or float(row["passed"]) > 0)
 
 
 def scene_table(rows):
-    lines = ["| run | x | speed [m/s] | depth [mm] | passed through | inverted | force [N] | roughness | time | status |"]
-    lines += ["|---" * 10 + "|"]
+    heads = ["run", "x", "speed [m/s]", "depth [mm]", "with inverted [mm]", "passed through", "inverted", "below ground [mm]", "not proved"]
+    heads += ["force [N]", "roughness", "time", "status"]
+    lines = ["| " + " | ".join(heads) + " |", "|---" * len(heads) + "|"]
     for row in rows:
         cells = [row["run"], row["factor"], number(row["top_speed_m_s"], ".3g"), number(row["depth_m"], ".2f", 1e3)]
-        cells += [row["passed"], row["inverted"], number(row["force_N"], ".3g"), number(row["roughness"], ".2g")]
+        cells += [number(row["aware_depth_m"], ".2f", 1e3), row["passed"], row["inverted"], number(row["ground_m"], ".2f", 1e3)]
+        cells += [row["not_proved"], number(row["force_N"], ".3g"), number(row["roughness"], ".2g")]
         cells += [row["time_ratio"], row["status"]]
         lines.append("| " + " | ".join(f"**{cell}**" if broken(row) else cell for cell in cells) + " |")
     return lines

@@ -19,7 +19,8 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent
+from failure_table import ROOT, measured_text
+
 SPEEDS_M_S = [0.02, 0.1, 0.5, 2, 10]
 STEPS_S = {"0.001": 0.001, "1/240": 1 / 240, "1/60": 1 / 60}
 NODES_ONLY = "fukuhara, nodes only"
@@ -29,6 +30,9 @@ QUANTITIES = [
     "final_penetration_depth_m",
     "passed_through_samples",
     "max_inverted_triangles",
+    "max_inversion_aware_depth_m",
+    "uncertified_steps",
+    "max_ground_depth_m",
     "max_force_N",
     "force_roughness",
     "node_switch_rate_hz",
@@ -94,10 +98,7 @@ def measure(arguments):
 def cell(row):
     if row["status"] != "ok":
         return row["status"]
-    depth = row["max_penetration_depth_m"]
-    text = "nan" if depth is None else f"{1000 * depth:.2f}"
-    text += f" ({row['passed_through_samples']})" if row["passed_through_samples"] else ""
-    return text + (f" [{row['max_inverted_triangles']}]" if row["max_inverted_triangles"] else "")
+    return "nan" if row["max_penetration_depth_m"] is None else measured_text(row)
 
 
 def write_table(path, rows, command):
@@ -107,7 +108,8 @@ def write_table(path, rows, command):
         if key not in keys:
             keys.append(key)
     lines = ["Worst penetration depth over the run, mm; (n): n tool samples passed right through; [n]: up to n tissue triangles"]
-    lines += ["were turned inside out or folded into each other, where depth can hide.", ""]
+    lines += ["were turned inside out or folded into each other, where depth can hide; a/b: a deep, and b where inverted tissue counts as"]
+    lines += ["tissue; {n}: n steps whose end is not proved free of overlap.", ""]
     lines += ["| dt [s] | pipeline | nodes a face | " + " | ".join(f"{v:g} m/s" for v in SPEEDS_M_S) + " |"]
     lines += ["|---|---|---|" + "---|" * len(SPEEDS_M_S)]
     for key in sorted(keys, key=lambda k: list(STEPS_S).index(k[0])):

@@ -1,8 +1,10 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "check/run_plan.h"
+#include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
 #include "main/result_table.h"
 #include "main/scenario_options.h"
@@ -11,6 +13,7 @@
 #include "motion/motion.h"
 #include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
+#include "text/units.h"
 
 namespace fissure {
 
@@ -26,6 +29,14 @@ void printReplay(const Motion& motion) {
     counts += (counts.empty() ? "" : ", ") + summaryText(value) + " " + what;
   }
   if (!counts.empty()) std::cout << "    replay: " << counts << "\n";
+}
+
+/// "    motion: at most 0.1 m/s and 3.2 m/s2"
+void printPeaks(const MotionPeaks& peaks) {
+  std::cout << "    motion: at most " << fourDigits(peaks.speed_m_s()) << " m/s";
+  if (!std::isnan(peaks.acceleration_m_s2()))
+    std::cout << " and " << fourDigits(peaks.acceleration_m_s2()) << " m/s2";
+  std::cout << "\n";
 }
 
 /// "jaws clamp_left and clamp_right, parallel; device axis z opens them by up to 0.04 m ..."
@@ -53,6 +64,7 @@ void printScene(const CheckedScenario& checked) {
     std::cout << "\n";
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
+  for (const std::string& warning : scenarioWarnings(checked)) std::cout << "  " << warning << "\n";
   std::size_t rigid = 0;  // the scene's tool; of a clamp, its right jaw, whose shape the clamp names
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const ToolSettings& tool = scenario.tools[t];
@@ -68,7 +80,9 @@ void printScene(const CheckedScenario& checked) {
                 << tool.coupling->force;
     std::cout << "\n";
     if (tool.clamp) printClamp(tool);
-    printReplay(*checked.prepared.motions[t]);
+    const Motion& motion = *checked.prepared.motions[t];
+    printPeaks(peaksOf(motion, scenario.time.step_s, checked.steps));
+    printReplay(motion);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
   if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";

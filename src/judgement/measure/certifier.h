@@ -85,7 +85,6 @@ class Certifier {
   std::vector<Body> bodies_;
   std::vector<Tool> tools_;
   std::vector<Pair> pairs_;
-  bool started_ = false;
   long long pairs_asked_ = 0;
 };
 

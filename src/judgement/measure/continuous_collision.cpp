@@ -177,12 +177,14 @@ ScaledPaths scaledPaths(std::span<const MovingPoint> one, std::span<const Moving
     return paths;
   }
   if (size == 0) return paths;
+  // A power of two: scaling rounds nothing but what is far below 1. Sizes near the smallest doubles stay
+  // below 1, and so nearer than rounding.
   int exponent = 0;
-  std::frexp(size, &exponent);  // a power of two: scaling rounds nothing but what is far below 1
+  std::frexp(size, &exponent);
+  exponent = std::max(exponent, -1000);
+  const double factor = std::ldexp(1.0, -exponent);
   for (Piece* piece : {&paths.whole.one, &paths.whole.other})
-    for (std::size_t i = 0; i < piece->count; ++i)
-      for (Vec3* point : {&piece->start[i], &piece->end[i]})
-        for (double& coordinate : *point) coordinate = std::ldexp(coordinate, -exponent);
+    for (std::size_t i = 0; i < piece->count; ++i) piece->start[i] *= factor, piece->end[i] *= factor;
   paths.scale = std::ldexp(1.0, exponent);
   return paths;
 }

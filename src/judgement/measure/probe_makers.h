@@ -13,11 +13,17 @@ namespace fissure {
 /// How deep tools are in tissue, and what passed through.
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
+/// How deep tissue stands below the ground at that height.
+std::unique_ptr<Probe> makeGroundProbe(double height_m);
+
+/// Whether tissue is sound by itself, in a scene without tools.
+std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);
+
 /// Which steps are proved free of overlap.
 std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
 
 /// Where the tools are and how fast they move.
-std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
+std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
 /// What nodes and contacts did, and the reaction.
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene);

@@ -85,6 +85,12 @@ struct MeasureSettings {
   bool operator==(const MeasureSettings&) const = default;
 };
 
+/// What an expectation asks of contact; without it an upper bound on depth, passing through or inversion does
+/// not hold in a run in which a tool never touched tissue, which proves nothing.
+enum class ExpectedContact {
+  any,  ///< bounds hold without contact too
+};
+
 /// What the summary of a run must say: a value within a tolerance, or bounds. Checked after the run.
 struct Expectation {
   std::optional<std::string> pipeline;  ///< name of the entry; default: every one
@@ -93,6 +99,7 @@ struct Expectation {
   std::optional<double> tolerance;      ///< >= 0: |found - value| may be so large
   std::optional<double> min;            ///< included
   std::optional<double> max;            ///< included
+  std::optional<ExpectedContact> contact;
 
   bool operator==(const Expectation&) const = default;
 };
@@ -129,7 +136,8 @@ constexpr double max_steps = 1e8;
 /// One thing wrong with a scenario; `path` as in `tools.spatula.shape.size_m` or `pipelines.0.sweeps`.
 struct Problem {
   std::string path;
-  std::string message;  ///< what is wrong and what was expected
+  std::string message;                   ///< what is wrong and what was expected
+  std::vector<std::string> others = {};  ///< paths of what else it is about
 };
 
 /// Checks every value and every relation between them that needs no file. Empty: the scenario can be run.

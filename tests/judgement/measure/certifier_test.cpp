@@ -5,9 +5,12 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 #include <random>
 
+#include "certificate_table.h"
 #include "exact_overlap.h"
+#include "measure/probe_makers.h"
 #include "mesh/primitives.h"
 #include "oracles.h"
 
@@ -148,6 +151,49 @@ TEST(Certifier, DoesNotProveWhatIsNotFinite) {
   EXPECT_EQ(proved(scene, {good, bad, good}), (std::vector{true, false, true}));
 }
 
+// What a run says of its proofs.
+TEST(Certifier, TellsARunHowManyStepsAreProvedAndWhatIsInTheWayOfTheFirstThatIsNot) {
+  const Scene scene = sceneOf({kSphere}, {boxMesh({0.02, 0.001, 0.02})});
+  const auto summaryOf = [&](const std::vector<double>& heights_m, std::vector<double>& flags) {
+    const std::unique_ptr<Probe> probe = makeCertificateProbe(scene);
+    RecordLayout layout;
+    probe->declare(layout);
+    RecordRow row(layout.columns());
+    for (std::size_t i = 0; i < heights_m.size(); ++i) {
+      State state = test::restState(scene, {at(0, heights_m[i], 0)});
+      state.step = static_cast<std::int64_t>(i);
+      probe->sample(state, row);
+      flags.push_back(row[layout.find("certified")->first_column]);
+    }
+    Summary summary;
+    probe->summarize(summary);
+    std::map<std::string, std::string> texts;
+    for (const SummaryValue& value : summary) {
+      if (const auto* text = std::get_if<std::string>(&value.value)) texts[value.name] = *text;
+      if (const auto* count = std::get_if<long long>(&value.value))
+        texts[value.name] = std::to_string(*count);
+      if (const auto* real = std::get_if<double>(&value.value))
+        texts[value.name] = std::isnan(*real) ? "missing" : std::to_string(static_cast<int>(*real));
+    }
+    return texts;
+  };
+  using Texts = std::map<std::string, std::string>;
+  std::vector<double> flags;
+  EXPECT_EQ(summaryOf({}, flags), (Texts{{"certified_steps", "missing"},
+                                         {"uncertified_steps", "missing"},
+                                         {"first_uncertified_step", "missing"}}));
+  EXPECT_EQ(
+      summaryOf({0.04, 0.035}, flags),
+      (Texts{{"certified_steps", "2"}, {"uncertified_steps", "0"}, {"first_uncertified_step", "missing"}}));
+  flags.clear();
+  Texts texts = summaryOf({0.04, 0.035, -0.04, -0.05}, flags);
+  EXPECT_EQ(flags, (std::vector<double>{1, 1, 0, 1}));
+  EXPECT_NE(texts["first_uncertified"].find(" of the step"), std::string::npos) << texts["first_uncertified"];
+  texts.erase("first_uncertified");
+  EXPECT_EQ(texts,
+            (Texts{{"certified_steps", "3"}, {"uncertified_steps", "1"}, {"first_uncertified_step", "2"}}));
+}
+
 /// FISSURE_CERTIFICATE_SEQUENCES states how many.
 int sequences() {
   const char* given = std::getenv("FISSURE_CERTIFICATE_SEQUENCES");
@@ -210,8 +256,7 @@ TEST(Certifier, NeverProvesAnOverlap) {
         for (Vec3& vertex : state.positions_m) vertex += test::randomIn(random, noise);
     }
   }
-  std::cout << steps << " steps: " << certified << " certified, " << overlapping << " overlapping, "
-            << free_but_unproved << " free of overlap but not proved\n";
+  test::addCertificateRow("steps of sequences", steps, overlapping, 0, free_but_unproved);
   EXPECT_GT(certified, steps / 4);
   EXPECT_GT(overlapping, steps / 4);
   EXPECT_LT(free_but_unproved, steps / 10);  // those that jumped through

@@ -155,7 +155,10 @@ Meeting decide(const Conditions<Integer>& all, int depth) {
       allOfSign(all.area, 1) &&
       std::all_of(all.bounds.begin(), all.bounds.end(), [](const auto& b) { return allOfSign(b, 1); }))
     return Meeting::certain;
-  if (depth == 0) return Meeting::undecided;
+  // In one plane all the time: halving shows no more.
+  if (depth == 0 ||
+      std::all_of(all.volume.begin(), all.volume.end(), [](const Integer& c) { return c == 0; }))
+    return Meeting::undecided;
   Conditions<Integer> left, right;
   halve(all.volume, left.volume, right.volume);
   halve(all.area, left.area, right.area);

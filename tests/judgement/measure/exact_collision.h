@@ -12,7 +12,8 @@ namespace fissure::test {
 enum class Meeting {
   never,     ///< they stay apart throughout the step
   certain,   ///< they meet: their volume changes its sign within both, or is 0 at a dyadic time within both
-  undecided  ///< neither is shown: they graze at a time that no halving of the step hits
+  undecided  ///< neither is shown: they stay in one plane, or graze at a time that no halving of the step
+             ///< hits
 };
 
 /// Exact coordinates: integers small enough for 128 bits (below 2^9), or any.

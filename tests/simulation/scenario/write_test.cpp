@@ -84,6 +84,12 @@ const char* const every_field =
     "      interpolation: monotone_cubic\n"
     "      max_gap_s: 0.1\n"
     "      jump_m: 0.01\n"
+    "      jump_speed_m_s: 3\n"
+    "      time_unit: us\n"
+    "      where: {column: State, equals: \"1\"}\n"
+    "  - name: hand3\n"
+    "    shape: {type: box, size_m: [1, 1, 1]}\n"
+    "    motion: {type: replay, file: my log (1).csv, rate_hz: 60, frame_column: Frame}\n"
     "  - name: hand2\n"
     "    shape: {type: box, size_m: [1, 1, 1]}\n"
     "    motion: {type: replay, file: my log (1).csv, layout: axes, rate_hz: 999.5, mapping: {frame: "
@@ -107,7 +113,7 @@ const char* const every_field =
     "    size_px: [320, 240]\n"
     "    camera: {position_m: [1, 1, 1], look_at_m: [0, 1, 0], up: [0, 0, 1], field_of_view_deg: 50}\n"
     "  force_inputs: true\n"
-    "measure: {sample_spacing_m: 0.0004}\n"
+    "measure: {sample_spacing_m: 0.0004, certify: true}\n"
     "expect:\n"
     "  - {quantity: max_penetration_depth_m, pipeline: b, value: 0.1, tolerance: 0.01, min: 0.05, max: "
     "0.2}\n";
@@ -200,7 +206,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                  .per_area = true}}));
   const CameraSettings camera{{1, 1, 1}, {0, 1, 0}, {0, 0, 1}, 50};
   EXPECT_EQ(s.record, (RecordSettings{0.02, FrameSettings{0.04, 320, 240, camera}, true}));
-  EXPECT_EQ(s.measure.sample_spacing_m, 0.0004);
+  EXPECT_EQ(s.measure, (MeasureSettings{.sample_spacing_m = 0.0004, .certify = true}));
   EXPECT_EQ(s.tools[0].force_limit_N, 7.5);
   EXPECT_EQ(s.tools[1].force_limit_N, std::nullopt);
   EXPECT_EQ(s.tools[0].coupling, (CouplingSettings{0.06, 2900, 19, "hc"}));
@@ -210,7 +216,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
 TEST_F(RoundTrip, MotionsReachTheirPlace) {
   write("my log (1).csv", "t\n0\n");
   const Scenario s = loadScenario(write("every.yaml", every_field)).scenario;
-  ASSERT_EQ(s.tools.size(), 3u);
+  ASSERT_EQ(s.tools.size(), 4u);
   EXPECT_EQ(s.tools[0].nodes.resolution, (std::array<int, 2>{9, 5}));
   EXPECT_EQ(s.tools[0].nodes.narrow_rows, 4);
   EXPECT_EQ(s.tools[0].friction, 0.15);
@@ -235,13 +241,21 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   replay.interpolation = Interpolation::monotone_cubic;
   replay.max_gap_s = 0.1;
   replay.jump_m = 0.01;
+  replay.jump_speed_m_s = 3;
+  replay.time_unit = TimeUnit::us;
+  replay.where = RowFilter{"State", "1"};
   EXPECT_EQ(std::get<ReplayMotion>(s.tools[1].motion), replay);
   ReplayMotion raw;
   raw.file = "my log (1).csv";
   raw.layout = LogLayout::axes;
   raw.rate_hz = 999.5;
   raw.mapping.frame = DeviceFrame::chai3d;
-  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion), raw);
+  EXPECT_EQ(std::get<ReplayMotion>(s.tools[3].motion), raw);
+  ReplayMotion counted;
+  counted.file = "my log (1).csv";
+  counted.rate_hz = 60;
+  counted.frame_column = "Frame";
+  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion), counted);
 }
 
 TEST(Write, WritesEveryDefaultAndLeavesOutWhatHasNoValue) {
