@@ -7,7 +7,7 @@
 
 Writes results/fixtures/fixtures.csv, README.md and fixtures.png; frames.png with --pictures. A rung is held when its run ends well and
 no recorded step is without proof (pipelines that a fixture does not name are not supported with its tool). Exit 1 when a tool meets
-tissue in no pipeline.
+tissue in no pipeline of a rung.
 """
 import argparse
 import csv
@@ -22,6 +22,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import yaml
 from matplotlib.colors import LinearSegmentedColormap
+from PIL import Image
 
 from montage import nearest
 from references import ROOT, fissure
@@ -74,7 +75,7 @@ HEAD = """# Fixtures
 Short, hard scenes ([configs/fixtures](../../configs/fixtures)) on a ladder: as written; {faster} x the speed of every motion (holds as they
 are); finer tissue (triangles halved in length); a step of 1/240 s; other thicknesses of the tool where that makes sense. A rung is
 **held** when the run ends well and the end of every recorded step is proved free of overlap (`measure: {{certify: true}}`). Depth: the
-worst over all rungs; inverted tissue can hide it. Bullet's own contact (`default_tuned`) takes convex, closed tools alone.
+worst over all rungs, inverted tissue counted (of `starts_inside` also the 4 mm at its start). Bullet's own contact (`default_tuned`) takes convex, closed tools alone.
 
 """
 
@@ -117,9 +118,9 @@ def row_of(name, rung, run_name, run, method_us):
     row |= {"counted_steps": len(proved), "certified_steps": int(proved.sum()), "uncertified_steps": len(unproved)}
     row["first_uncertified_step"] = first + int(unproved[0]) if len(unproved) else ""
     row["first_uncertified"] = summary.get("first_uncertified", "") if len(unproved) and first == 0 else ""
-    row["depth_m"] = summary.get("max_penetration_depth_m", np.nan)
+    row |= {key: summary.get(f"max_{key}", np.nan) for key in ("penetration_depth_m", "inversion_aware_depth_m")}
     row |= {"passed": summary.get("passed_through_samples", ""), "inverted": summary.get("max_inverted_triangles", "")}
-    row["contacts"] = summary.get("contacts_total", 0)
+    row |= {"contact_steps": summary.get("contact_steps", 0), "untouched_tools": summary.get("untouched_tools", "")}
     step_us = np.nanmean(run["timing/step_time_us"][:]) if "timing" in run else np.nan
     row["time_ratio"] = f"{step_us / method_us:.2f}"
     return {key: f"{value:.6g}" if isinstance(value, float) else str(value) for key, value in row.items()}
@@ -142,10 +143,9 @@ def pipelines_of(rows):
 
 
 def untouched(rows):
-    """Fixture and rung where no pipeline finds a contact: the tool goes past the tissue."""
-    keys = dict.fromkeys((row["scene"], row["rung"]) for row in rows)
-    own = {key: [row for row in rows if (row["scene"], row["rung"]) == key] for key in keys}
-    return [key for key in keys if not any(float(row["contacts"]) for row in own[key])]
+    """Fixture and rung where in no pipeline all tools meet tissue."""
+    met = {(row["scene"], row["rung"]) for row in rows if int(row["contact_steps"]) and not row["untouched_tools"]}
+    return [key for key in dict.fromkeys((row["scene"], row["rung"]) for row in rows) if key not in met]
 
 
 def score(rows, **wanted):
@@ -157,7 +157,7 @@ def score_cell(rows, name, pipeline):
     held, total, own = score(rows, scene=name, run=pipeline)
     if not total:
         return "not supported"
-    depths = [1000 * float(row["depth_m"]) for row in own]
+    depths = [1000 * float(row["inversion_aware_depth_m"]) for row in own]
     worst = max((depth for depth in depths if not np.isnan(depth)), default=np.nan)
     text = f"{held}/{total}" + ("" if np.isnan(worst) else f", {worst:.2f} mm")
     return f"**{text}**" if held == total else text
@@ -173,15 +173,17 @@ def score_table(rows):
 
 
 def hidden(row):
-    return row["held"] == "0" and int(row["counted_steps"]) > 0 and 1000 * float(row["depth_m"]) < HIDDEN_MM
+    return row["held"] == "0" and int(row["counted_steps"]) > 0 and 1000 * float(row["penetration_depth_m"]) < HIDDEN_MM
 
 
 def hidden_table(rows):
     lines = [f"Runs that are not held though their depth never reached {HIDDEN_MM} mm: what the plain depth hid.", ""]
-    lines += ["| fixture | rung | run | not proved | first | in its way | depth [mm] | passed through | inverted |", "|---" * 9 + "|"]
+    lines += ["| fixture | rung | run | not proved | first | in its way | depth [mm] | with inversion | passed through | inverted |", "|---" * 10 + "|"]
     for row in filter(hidden, rows):
         cells = [row["scene"], row["rung"], row["run"], f"{row['uncertified_steps']} of {row['counted_steps']}"]
-        cells += [row["first_uncertified_step"], row["first_uncertified"], number(row["depth_m"], ".3f", 1e3), row["passed"], row["inverted"]]
+        cells += [row["first_uncertified_step"], row["first_uncertified"]]
+        cells += [number(row[key], ".3f", 1e3) for key in ("penetration_depth_m", "inversion_aware_depth_m")]
+        cells += [row["passed"], row["inverted"]]
         lines.append("| " + " | ".join(cells) + " |")
     return lines
 
@@ -267,6 +269,7 @@ def draw_frames(arguments, names):
         print(told, flush=True)
     figure.tight_layout(pad=0.4)
     figure.savefig(FOLDER / "frames.png", dpi=100)
+    Image.open(FOLDER / "frames.png").convert("RGB").quantize(128).save(FOLDER / "frames.png", optimize=True)
 
 
 def check(arguments):
