@@ -16,6 +16,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 FOLDER = ROOT / "results/reference"
 COLUMNS = {  # summary value: heading, factor, format
     "max_penetration_depth_m": ("worst depth [mm]", 1e3, ".6g"),
+    "max_inversion_aware_depth_m": ("with inversion [mm]", 1e3, ".6g"),
+    "max_ground_depth_m": ("below ground [mm]", 1e3, ".6g"),
     "passed_through_samples": ("passed through", 1, ".0f"),
     "max_inverted_triangles": ("inverted", 1, ".0f"),
     "uncertified_steps": ("not proved", 1, ".0f"),

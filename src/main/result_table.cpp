@@ -7,7 +7,9 @@
 #include <cstdio>
 #include <string_view>
 
+#include "compare/compare_runs.h"
 #include "main/text_table.h"
+#include "measure/verdict.h"
 
 namespace fissure {
 
@@ -20,12 +22,15 @@ struct Column {
   const char* format;
 };
 
-constexpr std::array<Column, 11> columns = {{
+constexpr std::array<Column, 14> columns = {{
     {{"worst", "depth", "mm"}, "max_penetration_depth_m", 1e3, "%.3f"},
+    {{"with in-", "version", "mm"}, "max_inversion_aware_depth_m", 1e3, "%.3f"},
     {{"final", "depth", "mm"}, "final_penetration_depth_m", 1e3, "%.3f"},
     {{"passed", "through", "samples"}, "passed_through_samples", 1, "%.0f"},
     {{"inside-", "out tri-", "angles"}, "max_inverted_triangles", 1, "%.0f"},
+    {{"below", "ground", "mm"}, "max_ground_depth_m", 1e3, "%.3f"},
     {{"peak", "force", "N"}, "max_force_N", 1, "%.3f"},
+    {{"peak re-", "action", "N"}, "max_reaction_N", 1, "%.4g"},
     {{"force", "rough-", "ness"}, "force_roughness", 1, "%.3g"},
     {{"", "contacts", ""}, "contacts_total", 1, "%.0f"},
     {{"mean", "step", "us"}, "timing/mean_step_us", 1, "%.1f"},
@@ -45,7 +50,9 @@ std::string cell(const Column& column, const Summary& summary) {
   for (const SummaryValue& value : summary) {
     if (value.name != column.quantity) continue;
     if (const double* real = std::get_if<double>(&value.value))
-      return number(*real * column.scale, column.format);
+      return std::isnan(*real) && mayBeMissing("summary/" + value.name)
+                 ? "-"
+                 : number(*real * column.scale, column.format);
     if (const long long* count = std::get_if<long long>(&value.value))
       return number(static_cast<double>(*count) * column.scale, column.format);
     return std::get<std::string>(value.value);
@@ -64,25 +71,47 @@ std::string overflows(const PipelineResult& pipeline) {
   return text;
 }
 
+/// A line for each remark, after the names of the runs that it is about.
+std::string remarkLines(const std::vector<PipelineResult>& pipelines) {
+  std::vector<std::pair<std::string, std::string>> lines;  // remark, runs
+  for (const PipelineResult& pipeline : pipelines) {
+    for (const Remark& remark : remarksOf(pipeline.summary)) {
+      const auto known = std::find_if(lines.begin(), lines.end(),
+                                      [&](const auto& line) { return line.first == remark.text; });
+      if (known == lines.end())
+        lines.emplace_back(remark.text, pipeline.name);
+      else
+        known->second += ", " + pipeline.name;
+    }
+  }
+  std::string text;
+  for (const auto& [remark, runs] : lines) text += runs + ": " + remark + "\n";
+  for (const PipelineResult& pipeline : pipelines)
+    if (const std::string note = reactionNote(pipeline.summary); !note.empty()) return text + note + "\n";
+  return text;
+}
+
 }  // namespace
 
 std::string resultTable(const std::vector<PipelineResult>& pipelines) {
   std::vector<TextRow> rows;
   for (std::size_t line = 0; line < 3; ++line) {
-    TextRow row = {line == 0 ? "pipeline" : "", line == 0 ? "status" : ""};
+    TextRow row = {line == 0 ? "pipeline" : "", line == 0 ? "end" : ""};
     for (const Column& column : columns) row.emplace_back(column.header[line]);
+    row.emplace_back(line == 0 ? "verdict" : "");
     rows.push_back(row);
   }
   std::string details;
   for (const PipelineResult& pipeline : pipelines) {
-    TextRow row = {pipeline.name, nameOf(pipeline.status.end)};
+    TextRow row = {pipeline.name, endText(pipeline.status.end)};
     for (const Column& column : columns) row.push_back(cell(column, pipeline.summary));
+    row.push_back(verdictOf(pipeline.summary).text);
     rows.push_back(row);
     if (pipeline.status.end != RunEnd::ok)
       details += pipeline.name + ": " + nameOf(pipeline.status.end) + ": " + pipeline.status.detail + "\n";
     details += overflows(pipeline);
   }
-  return alignedText(rows, 2) + details;
+  return alignedText(rows, 2, true) + details + remarkLines(pipelines);
 }
 
 std::string summaryText(const SummaryValue& value) {

@@ -6,7 +6,7 @@
 
 namespace fissure {
 
-std::string alignedText(const std::vector<TextRow>& rows, std::size_t left) {
+std::string alignedText(const std::vector<TextRow>& rows, std::size_t left, bool last_left) {
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
   for (const TextRow& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
@@ -15,7 +15,8 @@ std::string alignedText(const std::vector<TextRow>& rows, std::size_t left) {
     std::string line;
     for (std::size_t c = 0; c < row.size(); ++c) {
       const std::string blanks(widths[c] - row[c].size(), ' ');
-      line += (c > 0 ? "  " : "") + (c < left ? row[c] + blanks : blanks + row[c]);
+      const bool to_left = c < left || (last_left && c + 1 == row.size());
+      line += (c > 0 ? "  " : "") + (to_left ? row[c] + blanks : blanks + row[c]);
     }
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";

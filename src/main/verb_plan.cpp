@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "check/run_plan.h"
+#include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
 #include "main/result_table.h"
 #include "main/scenario_options.h"
@@ -63,6 +64,7 @@ void printScene(const CheckedScenario& checked) {
     std::cout << "\n";
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
+  for (const std::string& warning : scenarioWarnings(checked)) std::cout << "  " << warning << "\n";
   std::size_t rigid = 0;  // the scene's tool; of a clamp, its right jaw, whose shape the clamp names
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const ToolSettings& tool = scenario.tools[t];

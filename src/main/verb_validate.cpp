@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "base/error.h"
+#include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
 #include "main/one_line.h"
 #include "main/scenario_options.h"
@@ -18,6 +19,8 @@ int validateScenarios(const ScenarioOptions& options) {
       const CheckedScenario checked = checkScenario(file, options.selection());
       std::cout << file << ": ok\n";
       for (const std::string& note : checked.notes) std::cout << file << ": " << note << "\n";
+      for (const std::string& warning : scenarioWarnings(checked))
+        std::cout << file << ": " << warning << "\n";
     } catch (const BadSurfaces& error) {
       for (const std::string& line : error.lines()) std::cerr << oneLine(line) << "\n";
       code = exit_usage;

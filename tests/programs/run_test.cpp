@@ -46,25 +46,92 @@ TEST(Run, WritesOneFileBelowResults) {
   for (const PipelineResult& pipeline : info.pipelines) EXPECT_EQ(nameOf(pipeline.status.end), "ok");
 }
 
-// Header of three lines, one line a pipeline, the last line says where the result is. Numbers end in one
-// column.
+// Header of three lines, one line a pipeline, what must be known beside the numbers, and where the result is.
+// Numbers end in one column, verdicts begin in one.
 TEST(Run, PrintsAnAlignedTable) {
   const Folder folder;
   folder.write("s.yaml", pressScenario("[{name: a_long_name, pipeline: default}, {pipeline: fukuhara}]",
                                        "0.03", "force: [{model: hunt_crossley}]\n"));
   const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
   const std::vector<std::string> lines = linesOf(outcome.out);
-  ASSERT_EQ(lines.size(), 6u) << outcome.out;
-  EXPECT_EQ(lines[3].size(), lines[4].size()) << outcome.out;
-  EXPECT_EQ(lines[0].size(), lines[4].size()) << outcome.out;
-  EXPECT_EQ(lines[5], "result: out.h5");
-  const std::vector<std::string> cells = wordsOf(lines[4]);
-  ASSERT_EQ(cells.size(), 13u) << lines[4];
+  ASSERT_GE(lines.size(), 7u) << outcome.out;
+  const std::size_t verdict = lines[0].find("verdict");
+  ASSERT_NE(verdict, std::string::npos) << outcome.out;
+  for (const std::size_t row : {3u, 4u}) {
+    ASSERT_GT(lines[row].size(), verdict) << outcome.out;
+    EXPECT_EQ(lines[row].substr(verdict - 2, 2), "  ") << outcome.out;
+    EXPECT_NE(lines[row][verdict], ' ') << outcome.out;
+    EXPECT_NE(lines[row][verdict - 3], ' ') << outcome.out;
+  }
+  EXPECT_EQ(lines.back(), "result: out.h5");
+  EXPECT_EQ(lines[lines.size() - 2].substr(0, 40), "reaction: of a shell of springs, which st");
+  const std::vector<std::string> cells = wordsOf(lines[4].substr(0, verdict));
+  ASSERT_EQ(cells.size(), 16u) << lines[4];
   EXPECT_EQ(cells[0], "fukuhara");
-  EXPECT_EQ(cells[1], "ok");
+  EXPECT_EQ(cells[1], "finished");
   for (std::size_t i = 2; i < cells.size(); ++i)
     EXPECT_NE(cells[i], "-") << "column " << i << "\n" << outcome.out;
   EXPECT_NE(runFissure(folder, {"info", "out.h5"}).out.find(lines[3] + "\n" + lines[4]), std::string::npos);
+}
+
+/// The press scenario with the sphere as it is, the blade somewhere else, and some expectations.
+std::string missedScenario(const std::string& expect) {
+  return with(with(pressScenario("[{pipeline: fukuhara}]", "0.01", expect), "start_m: [0, 0.062, 0]",
+                   "start_m: [0, 0.2, 0]"),
+              "move_to_m: [0, 0.052, 0]", "move_to_m: [0, 0.19, 0]");
+}
+
+// A sphere that nobody touches is at 0.000 mm, and proves nothing.
+TEST(Run, ATrialThatTouchesNothingIsNamedAndHoldsNoUpperBound) {
+  const Folder folder;
+  const std::string bound = "{quantity: max_penetration_depth_m, max: 0.0005";
+  folder.write("s.yaml", missedScenario("expect: [" + bound + "}]\n"));
+  const Outcome missed = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
+  EXPECT_EQ(missed.code, 1) << missed.out;
+  EXPECT_NE(missed.out.find("never touched tissue\n"), std::string::npos) << missed.out;
+  EXPECT_NE(missed.out.find("fukuhara: never touched tissue: spatula\n"), std::string::npos) << missed.out;
+  EXPECT_NE(missed.out.find("but spatula never touched tissue (contact: any lets that pass)"),
+            std::string::npos)
+      << missed.out;
+  folder.write("s.yaml", missedScenario("expect: [" + bound + ", contact: any}]\n"));
+  EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "any.h5"}).code, 0);
+}
+
+// 4 x 4 nodes on 40 x 15 mm, before a sphere of 32 triangles and before one of 512.
+TEST(Run, NodesTooWideApartAreWarnedOfInValidatePlanAndTable) {
+  const Folder folder;
+  const std::string warning = "nodes are up to";
+  for (const bool fine : {false, true}) {
+    folder.write("s.yaml", with(pressScenario("[{pipeline: default}, {pipeline: fukuhara}]", "0.003"),
+                                "subdivisions: 1", fine ? "subdivisions: 3" : "subdivisions: 1"));
+    for (const char* verb : {"validate", "plan"}) {
+      const std::string said = runFissure(folder, {verb, "s.yaml"}).out;
+      EXPECT_EQ(said.find("warning: tools.spatula.nodes: " + warning) != std::string::npos, fine) << said;
+      EXPECT_EQ(runFissure(folder, {verb, "s.yaml", "--pipeline", "default"}).out.find(warning),
+                std::string::npos);
+    }
+    const std::string table = runFissure(folder, {"run", "s.yaml", "--force", "-o", "out.h5"}).out;
+    EXPECT_EQ(table.find("\nfukuhara: " + warning) != std::string::npos, fine) << table;
+  }
+}
+
+TEST(Run, NarrowRowsOnAnObliqueBladeAreWarnedOf) {
+  const Folder folder;
+  const auto narrow = [](const std::string& to) {
+    return with(with(pressScenario("[{pipeline: fukuhara}]", "0.02"), "resolution: [4, 4]",
+                     "resolution: [4, 4], narrow_rows: 2"),
+                "move_to_m: [0, 0.052, 0]", "move_to_m: " + to);
+  };
+  for (const bool oblique : {false, true}) {
+    folder.write("s.yaml", narrow(oblique ? "[0.01, 0.052, 0]" : "[0, 0.052, 0]"));
+    for (const char* verb : {"validate", "plan"}) {
+      const std::string said = runFissure(folder, {verb, "s.yaml"}).out;
+      EXPECT_EQ(said.find("nodes.narrow_rows: the blade moves obliquely") != std::string::npos, oblique)
+          << said;
+    }
+    const std::string table = runFissure(folder, {"run", "s.yaml", "--force", "-o", "out.h5"}).out;
+    EXPECT_EQ(table.find("fukuhara: narrow_rows: in ") != std::string::npos, oblique) << table;
+  }
 }
 
 std::string provenanceOf(const ResultInfo& info, const std::string& name) {

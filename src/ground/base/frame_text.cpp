@@ -15,9 +15,14 @@ std::string format(const char* pattern, double value) {
 
 }  // namespace
 
-std::vector<std::string> frameText(const std::string& run, double time_s, std::optional<double> depth_m) {
+std::vector<std::string> frameText(const std::string& run, double time_s, const FrameDepths& depths) {
   std::vector<std::string> lines = {run, format("t = %.3f s", time_s)};
-  if (depth_m) lines.push_back(format("depth = %.2f mm", 1000 * *depth_m));
+  constexpr double shown_m = 1e-5;
+  if (depths.depth_m) lines.push_back(format("depth = %.2f mm", 1000 * *depths.depth_m));
+  if (depths.inversion_aware_m.value_or(0) - depths.depth_m.value_or(0) >= shown_m)
+    lines.push_back(format("with inversion %.2f mm", 1000 * *depths.inversion_aware_m));
+  if (depths.ground_m.value_or(0) >= shown_m)
+    lines.push_back(format("tissue %.2f mm below ground", 1000 * *depths.ground_m));
   return lines;
 }
 

@@ -6,8 +6,15 @@
 
 namespace fissure {
 
-/// The lines of text in a picture of a run: its name, the simulated time and the penetration depth, where
-/// that is measured.
-std::vector<std::string> frameText(const std::string& run, double time_s, std::optional<double> depth_m);
+/// What a picture says of its step, metres; no value where it is not measured.
+struct FrameDepths {
+  std::optional<double> depth_m;            ///< penetration depth
+  std::optional<double> inversion_aware_m;  ///< the same with inverted tissue
+  std::optional<double> ground_m;           ///< of tissue below the ground
+};
+
+/// The lines of text in a picture of a run: its name, the simulated time and the penetration depth; where
+/// they are 0.01 mm or more, also what inverted tissue adds to it, and how deep tissue stands in the ground.
+std::vector<std::string> frameText(const std::string& run, double time_s, const FrameDepths& depths);
 
 }  // namespace fissure

@@ -14,7 +14,9 @@ struct CheckedExpectation {
   std::string quantity;
   std::string found;     ///< the value as text, or why there is none
   std::string expected;  ///< "at most 0.0005", "56.1 within 0.5", "0.02 to 0.03"
-  bool holds = false;    ///< never where the quantity is missing, no number or NaN, or the run is not ok
+  bool holds = false;    ///< never where the quantity is missing, no number or NaN, or the run is not ok;
+                         ///< an upper bound on depth, passing through or inversion not where a tool never
+                         ///< touched tissue, unless the expectation says contact: any
 };
 
 /// Each expectation against each run that it is about. One about a run that is not among `runs` does not

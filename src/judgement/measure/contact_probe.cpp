@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measure/node_spacing.h"
 #include "measure/probe_makers.h"
 #include "measure/statistics.h"
 
@@ -9,8 +10,9 @@ namespace fissure {
 namespace {
 
 /// Series contact_count and reaction_force(xyz), of several tools also tool_reaction(tool, xyz); where the
-/// pipeline has tool nodes also candidate_count, infeasible_count and capped_count, and the scalar
-/// node_switch_rate_hz.
+/// pipeline has tool nodes also candidate_count, infeasible_count and capped_count, and the scalars
+/// node_switch_rate_hz, node_spacing_m and node_spacing_over_edge (NodeSpacing). Where nodes stand on all
+/// sides of a tool also oblique_steps: those with contact in which such a tool moves obliquely (isOblique).
 class ContactProbe : public Probe {
  public:
   explicit ContactProbe(const Scene& scene);
@@ -21,10 +23,13 @@ class ContactProbe : public Probe {
 
  private:
   void countSwitches(const State& state);
+  void countOblique(const State& state);
   double switchRate_hz() const;
 
   std::size_t node_count_ = 0;
-  std::vector<std::string> tools_;  ///< empty: one at most
+  std::optional<NodeSpacing> spacing_;
+  std::vector<std::size_t> all_sided_;  ///< tools with nodes on all sides
+  std::vector<std::string> tools_;      ///< empty: one at most
   std::size_t contact_column_ = 0;
   std::size_t candidate_column_ = 0;
   std::size_t infeasible_column_ = 0;
@@ -33,6 +38,8 @@ class ContactProbe : public Probe {
   std::size_t tool_reaction_column_ = 0;
 
   long long steps_ = 0;
+  long long oblique_steps_ = 0;
+  RunningMax max_reaction_N_;
   long long contacts_total_ = 0;
   long long max_contacts_ = 0;
   long long switches_ = 0;
@@ -44,7 +51,10 @@ class ContactProbe : public Probe {
 
 }  // namespace
 
-ContactProbe::ContactProbe(const Scene& scene) : node_count_(static_cast<std::size_t>(scene.nodeCount())) {
+ContactProbe::ContactProbe(const Scene& scene)
+    : node_count_(static_cast<std::size_t>(scene.nodeCount())), spacing_(widestNodeSpacing(scene)) {
+  for (std::size_t t = 0; t < scene.tools.size(); ++t)
+    if (scene.tools[t].nodes.all_sides) all_sided_.push_back(t);
   if (scene.tools.size() < 2) return;
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
 }
@@ -81,7 +91,9 @@ void ContactProbe::sample(const State& state, RecordRow& row) {
     row[capped_column_] = state.contact.capped_count;
     countSwitches(state);
   }
+  if (!all_sided_.empty()) countOblique(state);
   writeVector(state.contact.reaction_on_tool_N, reaction_column_, row);
+  max_reaction_N_.add(state.contact.reaction_on_tool_N.norm());
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const bool known = !state.contact.tool_reactions_N.empty();
     writeVector(known ? state.contact.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
@@ -108,6 +120,14 @@ void ContactProbe::countSwitches(const State& state) {
   }
 }
 
+void ContactProbe::countOblique(const State& state) {
+  if (state.contact.contact_count == 0) return;
+  const bool any = std::any_of(all_sided_.begin(), all_sided_.end(), [&](std::size_t t) {
+    return isOblique(state.tools[t].pose.rotateToBody(state.tools[t].velocity_m_s));
+  });
+  if (any) ++oblique_steps_;
+}
+
 double ContactProbe::switchRate_hz() const {
   const double duration_s = last_time_s_ - first_time_s_;
   if (!(duration_s > 0)) return kMissing;
@@ -118,7 +138,13 @@ void ContactProbe::summarize(Summary& summary) const {
   summary.push_back({"first_contact_time_s", first_contact_time_s_});
   summary.push_back(countOrMissing("max_contact_count", steps_ > 0, max_contacts_));
   summary.push_back(countOrMissing("contacts_total", steps_ > 0, contacts_total_));
+  summary.push_back({"max_reaction_N", max_reaction_N_.value()});
   if (node_count_ > 0) summary.push_back({"node_switch_rate_hz", switchRate_hz()});
+  if (spacing_) {
+    summary.push_back({"node_spacing_m", spacing_->spacing_m});
+    summary.push_back({"node_spacing_over_edge", spacing_->ratio()});
+  }
+  if (!all_sided_.empty()) summary.push_back(countOrMissing("oblique_steps", steps_ > 0, oblique_steps_));
 }
 
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene) {

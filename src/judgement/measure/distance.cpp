@@ -67,8 +67,9 @@ double distance_m(const SurfaceTree& tree, const Vec3& point, const DistanceSear
       continue;
     }
     for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k) {
-      const double squared =
-          distanceSquared(tree.triangles()[static_cast<std::size_t>(node.first) + k], point);
+      const std::size_t index = static_cast<std::size_t>(node.first) + k;
+      if (!search.left_out.empty() && search.left_out[index] != 0) continue;
+      const double squared = distanceSquared(tree.triangles()[index], point);
       if (!(squared < best)) continue;
       best = squared;
       found = true;

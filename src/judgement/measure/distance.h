@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <limits>
+#include <span>
 
 #include "measure/surface_tree.h"
 
@@ -13,6 +15,7 @@ double distanceSquared(const TreeTriangle& triangle, const Vec3& point);
 struct DistanceSearch {
   double limit_m = std::numeric_limits<double>::infinity();  ///< farther surfaces give infinity
   double enough_m = -1;  ///< once something this near is found, any distance up to this may be returned
+  std::span<const std::uint8_t> left_out = {};  ///< 1: this triangle is not looked at; empty: all are
 };
 
 /// Distance from a point (tree's frame, metres) to the surface, unsigned.

@@ -55,7 +55,9 @@ PenetrationMeter::PenetrationMeter(const Scene& scene, const MeasureSettings& se
   for (const SceneBody& body : scene.bodies) {
     bodies_.push_back(
         {SurfaceTree(body.rest), static_cast<std::size_t>(body.first_vertex), body.rest.vertices_m.size()});
+    bodies_.back().buried.resize(body.rest.faces.size());
   }
+  inverted_.resize(bodies_.size());
   for (const SceneTool& tool : scene.tools) {
     ToolSamples samples = makeToolSamples(scene, tool, settings.sample_spacing_m);
     const std::size_t count = samples.points_m.size();
@@ -75,6 +77,20 @@ long long PenetrationMeter::sampleCount() const {
   long long count = 0;
   for (const Tool& tool : tools_) count += static_cast<long long>(tool.samples.points_m.size());
   return count;
+}
+
+double PenetrationMeter::coverage_m() const {
+  double coverage = 0;
+  for (const Tool& tool : tools_) coverage = std::max(coverage, tool.samples.coverage_m);
+  return coverage;
+}
+
+bool PenetrationMeter::isInTissue(std::size_t tool) const {
+  const Tool& t = tools_[tool];
+  return std::any_of(t.passed.begin(), t.passed.end(), [](std::uint8_t passed) { return passed != 0; }) ||
+         std::any_of(t.pairs.begin(), t.pairs.end(), [](const Pair& pair) {
+           return std::any_of(pair.winding.begin(), pair.winding.end(), [](std::int8_t w) { return w != 0; });
+         });
 }
 
 std::span<const Vec3> PenetrationMeter::verticesOf(const Body& body, const State& state) const {
@@ -155,30 +171,66 @@ void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
   const Body& body = bodies_[body_index];
   const SurfaceTree& surface = body.surface;
   Pair& pair = tool.pairs[body_index];
-  for (std::size_t i = 0; i < pair.inside.size(); ++i) {
+  for (std::size_t i = 0; i < pair.winding.size(); ++i) {
     if (pair.clearances.atLeast_m(i) > 0) continue;
     const Vec3 now = tool.sampleNow(i);
-    pair.inside[i] = windingNumber(surface, now) > 0;
+    pair.winding[i] = static_cast<std::int8_t>(std::clamp(windingNumber(surface, now), -100, 100));
     crossing_tests_ += static_cast<long long>(findCrossings(surface, tool.sampleBefore(i), now, crossings_));
-    if (pair.passage.advance(i, crossings_, pair.inside[i] != 0)) tool.passed[i] = 1;
+    if (pair.passage.advance(i, crossings_, pair.isInside(i))) tool.passed[i] = 1;
     look(tool, body_index, i, {.limit_m = pair.horizon_m});
   }
+}
+
+// A little less than enough for a sample not to be the deepest: it then need not be looked at in the next
+// steps.
+double PenetrationMeter::enoughFor(const Pair& pair, double depth_m) {
+  return depth_m - std::min(pair.horizon_m, depth_m / 2);
 }
 
 double PenetrationMeter::sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m) {
   Pair& pair = tool.pairs[body_index];
   double depth = at_least_m;
   const auto deepen = [&](std::size_t i) {
-    // A little less than enough: the sample then need not be looked at in the next steps.
-    const double found = look(tool, body_index, i, {.enough_m = depth - std::min(pair.horizon_m, depth / 2)});
+    const double found = look(tool, body_index, i, {.enough_m = enoughFor(pair, depth)});
     if (!(found > depth)) return;
     depth = found;
     pair.deepest = i;
   };
   // The deepest sample of the step before goes first: most others are known not to be as deep.
-  if (pair.inside[pair.deepest] != 0) deepen(pair.deepest);
-  for (std::size_t i = 0; i < pair.inside.size(); ++i)
-    if (pair.inside[i] != 0 && pair.clearances.atMost_m(i) > depth) deepen(i);
+  if (pair.isInside(pair.deepest)) deepen(pair.deepest);
+  for (std::size_t i = 0; i < pair.winding.size(); ++i)
+    if (pair.isInside(i) && pair.clearances.atMost_m(i) > depth) deepen(i);
+  return depth;
+}
+
+// Beyond the plain depth: samples in tissue that is inside out, and ways out past triangles that lead from
+// one fold into another.
+double PenetrationMeter::inversionAwareDepth_m(double at_least_m) {
+  double depth = at_least_m;
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    if (inverted_[b] == 0) continue;
+    const std::vector<std::uint8_t>& buried = bodies_[b].buried;
+    const bool folded = std::find(buried.begin(), buried.end(), 1) != buried.end();
+    for (Tool& tool : tools_) {
+      Pair& pair = tool.pairs[b];
+      const auto deepen = [&](std::size_t i) {
+        // Without folds the way out is the distance to the surface, of which bounds are known.
+        const double found = folded ? distance_m(bodies_[b].surface, tool.sampleNow(i),
+                                                 {.enough_m = depth, .left_out = buried})
+                                    : look(tool, b, i, {.enough_m = enoughFor(pair, depth)});
+        if (!std::isfinite(found) || !(found > depth)) return;
+        depth = found;
+        pair.deepest_inverted = i;
+      };
+      const auto counts = [&](std::size_t i) {
+        if (folded) return pair.winding[i] != 0;
+        return pair.winding[i] < 0 && pair.clearances.atMost_m(i) > depth;
+      };
+      if (counts(pair.deepest_inverted)) deepen(pair.deepest_inverted);
+      for (std::size_t i = 0; i < pair.winding.size(); ++i)
+        if (counts(i)) deepen(i);
+    }
+  }
   return depth;
 }
 
@@ -210,7 +262,7 @@ double PenetrationMeter::standOff_m(const State& state) {
         pair.nearest = i;
       };
       approach(pair.nearest);
-      for (std::size_t i = 0; i < pair.inside.size(); ++i)
+      for (std::size_t i = 0; i < pair.winding.size(); ++i)
         if (pair.clearances.atLeast_m(i) < nearest) approach(i);
     }
   }
@@ -230,15 +282,18 @@ Penetration PenetrationMeter::measure(const State& state) {
       }
     }
     result.stand_off_m = result.depth_m > 0 ? kNaN : standOff_m(state);
-    for (const Body& body : bodies_) result.inverted_triangles += countInvertedTriangles(body.surface);
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      inverted_[b] = countInvertedTriangles(bodies_[b].surface, bodies_[b].buried);
+    result.inversion_aware_m = inversionAwareDepth_m(result.depth_m);
   } else {
     connected_ = false;
     result.depth_m = kNaN;
+    result.inversion_aware_m = kNaN;
     result.stand_off_m = kNaN;
-    for (const Body& body : bodies_) {
-      result.inverted_triangles += static_cast<long long>(body.surface.triangles().size());
-    }
+    for (std::size_t b = 0; b < bodies_.size(); ++b)
+      inverted_[b] = static_cast<long long>(bodies_[b].surface.triangles().size());
   }
+  for (const long long inverted : inverted_) result.inverted_triangles += inverted;
   for (const Tool& tool : tools_) {
     result.passed_through += std::count(tool.passed.begin(), tool.passed.end(), std::uint8_t{1});
   }

@@ -28,6 +28,10 @@ struct Penetration {
   /// has no inside, and only (a). 0 when there are none. NaN when a position is not finite or beyond
   /// kCoordinateLimit_m.
   double depth_m = 0;
+  /// The same where inverted tissue counts too: over tool samples whose winding number in a body is not 0,
+  /// the shortest way out of all that this body fills, folds and what is inside out included. Never smaller
+  /// than depth_m.
+  double inversion_aware_m = 0;
   /// Tool samples that have passed right through a body at least once since the start (Passage).
   long long passed_through = 0;
   /// Triangles that do not bound their body from outside (countInvertedTriangles); all there are where depth
@@ -54,22 +58,31 @@ class PenetrationMeter {
   long long searches() const { return searches_; }
   /// How often a sample was looked for crossing a triangle, since the start.
   long long crossingTests() const { return crossing_tests_; }
+  /// The farthest that any point of a tool's surface is from its nearest sample.
+  double coverage_m() const;
+  /// Triangles of each body that do not bound it from outside, in the last step.
+  const std::vector<long long>& inverted() const { return inverted_; }
+  /// Whether a sample of the tool is in tissue of any kind, or has passed through some.
+  bool isInTissue(std::size_t tool) const;
 
  private:
   struct Body {
     SurfaceTree surface;
     std::size_t first_vertex = 0;
     std::size_t vertex_count = 0;
-    double way_m = 0;  // the longest of any vertex in the last step
+    double way_m = 0;                  // the longest of any vertex in the last step
+    std::vector<std::uint8_t> buried;  // 1: no side of the triangle is outside of the body
   };
   /// The samples of one tool against one body.
   struct Pair {
-    explicit Pair(std::size_t samples) : passage(samples), clearances(samples), inside(samples, 0) {}
+    explicit Pair(std::size_t samples) : passage(samples), clearances(samples), winding(samples, 0) {}
+    bool isInside(std::size_t sample) const { return winding[sample] > 0; }
+
     Passage passage;
     Clearances clearances;
-    double horizon_m = kStandOffLimit_m;   // how far to look for the surface
-    std::vector<std::uint8_t> inside;      // after the last look
-    std::size_t deepest = 0, nearest = 0;  // samples of the last step, looked at first
+    double horizon_m = kStandOffLimit_m;                         // how far to look for the surface
+    std::vector<std::int8_t> winding;                            // number, after the last look
+    std::size_t deepest = 0, deepest_inverted = 0, nearest = 0;  // of the last step, looked at first
   };
   /// Where a tool is, in the frame of the surface trees.
   struct ToolPlacement {
@@ -96,12 +109,15 @@ class PenetrationMeter {
   double slack_m(std::size_t body_index) const;
   double look(Tool& tool, std::size_t body_index, std::size_t sample, const DistanceSearch& search);
   void follow(Tool& tool, std::size_t body_index);
+  static double enoughFor(const Pair& pair, double depth_m);
   double sampleDepth_m(Tool& tool, std::size_t body_index, double at_least_m);
   double vertexDepth_m(const State& state) const;
+  double inversionAwareDepth_m(double at_least_m);
   double standOff_m(const State& state);
 
   std::vector<Body> bodies_;
   std::vector<Tool> tools_;
+  std::vector<long long> inverted_;  // one a body
   long long searches_ = 0;
   long long crossing_tests_ = 0;
   bool connected_ = false;  // a measurable step came before

@@ -1,15 +1,19 @@
 #include <algorithm>
+#include <cmath>
 
 #include "measure/penetration.h"
 #include "measure/probe_makers.h"
+#include "measure/soundness.h"
 #include "measure/statistics.h"
+#include "measure/touch.h"
 
 namespace fissure {
 
 namespace {
 
-/// Series penetration_depth, passed_through, inverted_triangles, stand_off; their worst and last values as
-/// scalars.
+/// Series penetration_depth, inversion_aware_depth, passed_through, inverted_triangles, stand_off; their
+/// worst and last values as scalars. Scalars contact_steps and untouched_tools (Touch), sample_coverage_m and
+/// those of Soundness.
 class PenetrationProbe : public Probe {
  public:
   /// Throws InputError as PenetrationMeter does.
@@ -20,13 +24,20 @@ class PenetrationProbe : public Probe {
   void summarize(Summary& summary) const override;
 
  private:
+  void look(const State& state);
+  std::string untouchedTools() const;
+
   PenetrationMeter meter_;
+  Touch touch_;
+  Soundness soundness_;
+  std::vector<Soundness::BodyStep> body_steps_;
   std::string not_measured_;  ///< one line; empty: all was
   Penetration last_;
   bool sampled_ = false;
-  RunningMax max_depth_m_;
+  RunningMax max_depth_m_, max_inversion_aware_m_;
   long long max_inverted_ = 0;
   std::size_t depth_column_ = 0;
+  std::size_t inversion_aware_column_ = 0;
   std::size_t passed_column_ = 0;
   std::size_t inverted_column_ = 0;
   std::size_t stand_off_column_ = 0;
@@ -35,7 +46,7 @@ class PenetrationProbe : public Probe {
 }  // namespace
 
 PenetrationProbe::PenetrationProbe(const Scene& scene, const MeasureSettings& settings)
-    : meter_(scene, settings) {
+    : meter_(scene, settings), touch_(scene), soundness_(scene), body_steps_(scene.bodies.size()) {
   for (const SceneTool& tool : scene.tools)
     if (!tool.closed) not_measured_ += (not_measured_.empty() ? "" : ", ") + tool.name;
   if (!not_measured_.empty())
@@ -47,6 +58,11 @@ void PenetrationProbe::declare(RecordLayout& layout) {
                               .units = "m",
                               .long_name = "deepest tool sample in tissue or tissue vertex in a tool",
                               .axes = {}});
+  inversion_aware_column_ = layout.add(
+      {.name = "inversion_aware_depth",
+       .units = "m",
+       .long_name = "deepest tool sample in tissue, inverted tissue included, or tissue vertex in a tool",
+       .axes = {}});
   passed_column_ =
       layout.add({.name = "passed_through",
                   .units = "1",
@@ -68,12 +84,30 @@ void PenetrationProbe::declare(RecordLayout& layout) {
 void PenetrationProbe::sample(const State& state, RecordRow& row) {
   last_ = meter_.measure(state);
   sampled_ = true;
+  look(state);
   max_depth_m_.add(last_.depth_m);
+  max_inversion_aware_m_.add(last_.inversion_aware_m);
   max_inverted_ = std::max(max_inverted_, last_.inverted_triangles);
   row[depth_column_] = last_.depth_m;
+  row[inversion_aware_column_] = last_.inversion_aware_m;
   row[passed_column_] = static_cast<double>(last_.passed_through);
   row[inverted_column_] = static_cast<double>(last_.inverted_triangles);
   row[stand_off_column_] = last_.stand_off_m;
+}
+
+// Who met whom, and what tissue does by itself.
+void PenetrationProbe::look(const State& state) {
+  touch_.add(state, meter_, last_);
+  if (std::isnan(last_.depth_m)) return;
+  for (std::size_t b = 0; b < body_steps_.size(); ++b)
+    body_steps_[b] = {meter_.inverted()[b], touch_.isTouched(b), touch_.wasTouched(b)};
+  soundness_.add(state, body_steps_);
+}
+
+std::string PenetrationProbe::untouchedTools() const {
+  std::string names;
+  for (const std::string& name : touch_.untouchedTools()) names += (names.empty() ? "" : ", ") + name;
+  return names;
 }
 
 void PenetrationProbe::summarize(Summary& summary) const {
@@ -81,7 +115,13 @@ void PenetrationProbe::summarize(Summary& summary) const {
   summary.push_back({"final_penetration_depth_m", sampled_ ? last_.depth_m : kMissing});
   summary.push_back(countOrMissing("passed_through_samples", sampled_, last_.passed_through));
   summary.push_back(countOrMissing("max_inverted_triangles", sampled_, max_inverted_));
+  summary.push_back({"max_inversion_aware_depth_m", max_inversion_aware_m_.value()});
   summary.push_back({"tool_samples", meter_.sampleCount()});
+  summary.push_back({"sample_coverage_m", meter_.coverage_m()});
+  summary.push_back(countOrMissing("contact_steps", sampled_, touch_.steps()));
+  if (const std::string untouched = sampled_ ? untouchedTools() : ""; !untouched.empty())
+    summary.push_back({"untouched_tools", untouched});
+  soundness_.summarize(summary);
   if (!not_measured_.empty()) summary.push_back({"not_measured", not_measured_});
 }
 

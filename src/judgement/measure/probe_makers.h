@@ -13,6 +13,12 @@ namespace fissure {
 /// How deep tools are in tissue, and what passed through.
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
+/// How deep tissue stands below the ground at that height.
+std::unique_ptr<Probe> makeGroundProbe(double height_m);
+
+/// Whether tissue is sound by itself, in a scene without tools.
+std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);
+
 /// Which steps are proved free of overlap.
 std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
 

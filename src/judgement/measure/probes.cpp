@@ -14,7 +14,10 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
     if (scenario.measure.certify) probes.push_back(makeCertificateProbe(scene));
     probes.push_back(makeToolProbe(scene, scenario.time.step_s));
     probes.push_back(makeContactProbe(scene));
+  } else {
+    probes.push_back(makeSoundnessProbe(scene));
   }
+  if (scene.ground_height_m) probes.push_back(makeGroundProbe(*scene.ground_height_m));
   if (std::any_of(scenario.tools.begin(), scenario.tools.end(),
                   [](const ToolSettings& tool) { return tool.coupling.has_value(); }))
     probes.push_back(makeCouplingProbe(scenario));

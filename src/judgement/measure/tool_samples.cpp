@@ -18,18 +18,12 @@ namespace {
 const double kFirst = (std::numbers::sqrt2 - 1) / 10;
 const double kLast = (std::numbers::sqrt3 - 1) / 10;
 
-// Barycentric place of the sample in a small triangle: rationally independent for the same reason.
-const double kAlong = std::numbers::sqrt2 / 5;
-const double kAcross = std::numbers::sqrt3 / 5;
+// Place of the sample in a piece of a triangle: rationally independent for the same reason.
+const double kAlong = std::numbers::sqrt2 / 3;
+const double kAcross = std::numbers::sqrt3 / 4;
 
 double gapsAlong(double length_m, double spacing_m) {
   return std::max(2.0, std::ceil(length_m / spacing_m));
-}
-
-double rowsAcross(const std::array<Vec3, 3>& corners, double spacing_m) {
-  const double longest = std::max(
-      {(corners[1] - corners[0]).norm(), (corners[2] - corners[1]).norm(), (corners[0] - corners[2]).norm()});
-  return std::max(2.0, std::ceil(longest / spacing_m));
 }
 
 std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, const Face& face) {
@@ -37,8 +31,58 @@ std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, const Face& face) {
   return {corner(face[0]), corner(face[1]), corner(face[2])};
 }
 
-/// How many samples a spacing leads to; a double, so that an absurd spacing does not overflow.
-double countSamples(const SceneTool& tool, double spacing_m) {
+using Corners = std::array<Vec3, 3>;
+
+double longestEdge_m(const Corners& c) {
+  return std::max({(c[1] - c[0]).norm(), (c[2] - c[1]).norm(), (c[0] - c[2]).norm()});
+}
+
+double area_m2(const Corners& c) {
+  return (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2;
+}
+
+/// Cuts a right triangle into slabs across its longer leg, and each slab into cells, none longer or wider
+/// than the spacing but for the slope of its third side, and calls `cell(sample, corners)` for each. Ends
+/// early when that returns false; returns whether it did not.
+template <class Cell>
+bool cutRight(const Vec3& right, Vec3 one, Vec3 other, double spacing_m, const Cell& cell) {
+  if ((other - right).squaredNorm() > (one - right).squaredNorm()) std::swap(one, other);
+  const Vec3 along = one - right, across = other - right;
+  const auto point = [&](double f, double g) { return Vec3(right + f * along + (g * (1 - f)) * across); };
+  const double slabs = std::max(1.0, std::ceil(along.norm() / spacing_m));
+  for (double i = 0; i < slabs; ++i) {
+    const double begin = i / slabs, end = (i + 1) / slabs;
+    const double rows = std::max(1.0, std::ceil(across.norm() * (1 - begin) / spacing_m));
+    for (double j = 0; j < rows; ++j) {
+      const double low = j / rows, high = (j + 1) / rows;
+      const Vec3 sample = point((i + kAlong) / slabs, (j + kAcross) / rows);
+      if (!cell(sample, {point(begin, low), point(begin, high), point(end, low), point(end, high)}))
+        return false;
+    }
+  }
+  return true;
+}
+
+/// The same of any triangle, by its height on the longest edge: as many cells as its area asks for, or a row
+/// of them along it where it is narrower than the spacing; one for a triangle that is smaller.
+template <class Cell>
+bool cutUp(const Corners& corners, double spacing_m, const Cell& cell) {
+  std::size_t first = 0;
+  for (std::size_t i = 1; i < 3; ++i)
+    if ((corners[(i + 1) % 3] - corners[i]).squaredNorm() >
+        (corners[(first + 1) % 3] - corners[first]).squaredNorm())
+      first = i;
+  const Vec3 &a = corners[first], &b = corners[(first + 1) % 3], &c = corners[(first + 2) % 3];
+  const Vec3 edge = b - a;
+  if (!(edge.norm() > spacing_m))
+    return cell(Vec3(a + (kAlong * (1 - kAcross)) * edge + kAcross * (c - a)), {a, b, c, c});
+  const Vec3 foot = a + (edge.dot(c - a) / edge.squaredNorm()) * edge;
+  return cutRight(foot, a, c, spacing_m, cell) && cutRight(foot, b, c, spacing_m, cell);
+}
+
+/// How many samples a spacing leads to, where it is not above `limit`, else something above it. A double, so
+/// that an absurd spacing does not overflow.
+double countSamples(const SceneTool& tool, double spacing_m, double limit) {
   double count = 0;
   if (tool.box_size_m) {
     const Vec3& size = *tool.box_size_m;
@@ -48,8 +92,17 @@ double countSamples(const SceneTool& tool, double spacing_m) {
     }
     return count;
   }
+  // At least so many: no cell is longer than the spacing, none larger than its square.
+  double least = 0;
   for (const Face& face : tool.surface.faces) {
-    count += std::pow(rowsAcross(cornersOf(tool.surface, face), spacing_m), 2);
+    const Corners corners = cornersOf(tool.surface, face);
+    least += std::max({1.0, longestEdge_m(corners) / spacing_m, area_m2(corners) / (spacing_m * spacing_m)});
+  }
+  if (!(least <= limit)) return least;
+  for (const Face& face : tool.surface.faces) {
+    const bool all = cutUp(cornersOf(tool.surface, face), spacing_m,
+                           [&](const Vec3&, const std::array<Vec3, 4>&) { return ++count <= limit; });
+    if (!all) return count;
   }
   return count;
 }
@@ -78,22 +131,13 @@ void sampleBox(const Vec3& size, double spacing_m, ToolSamples& samples) {
   }
 }
 
-void sampleTriangle(const std::array<Vec3, 3>& corners, double spacing_m, ToolSamples& samples) {
-  const int rows = static_cast<int>(rowsAcross(corners, spacing_m));
-  const Vec3 u = (corners[1] - corners[0]) / rows;
-  const Vec3 v = (corners[2] - corners[0]) / rows;
-  for (int i = 0; i < rows; ++i) {
-    for (int j = 0; i + j < rows; ++j) {
-      samples.points_m.push_back(corners[0] + (i + kAlong) * u + (j + kAcross) * v);
-      if (i + j + 1 < rows)
-        samples.points_m.push_back(corners[0] + (i + 1 - kAlong) * u + (j + 1 - kAcross) * v);
-    }
-  }
-  // From the sample to the farthest corner of its small triangle, all of which are congruent.
-  const Vec3 sample = kAlong * u + kAcross * v;
-  for (const Vec3& corner : {Vec3(Vec3::Zero()), u, v}) {
-    samples.coverage_m = std::max(samples.coverage_m, (corner - sample).norm());
-  }
+void sampleTriangle(const Corners& corners, double spacing_m, ToolSamples& samples) {
+  cutUp(corners, spacing_m, [&](const Vec3& sample, const std::array<Vec3, 4>& around) {
+    samples.points_m.push_back(sample);
+    for (const Vec3& corner : around)  // the farthest points of a cell
+      samples.coverage_m = std::max(samples.coverage_m, (corner - sample).norm());
+    return true;
+  });
 }
 
 double thickness_m(const SceneTool& tool) {
@@ -131,23 +175,21 @@ double defaultSpacing_m(const Scene& scene, const SceneTool& tool) {
   // A flat tool or a degenerate edge would ask for no spacing at all; the limit decides then.
   double spacing =
       std::max(std::min(0.375 * thickness_m(tool), shortestEdge_m(scene) / 3), 1e-6 * largestExtent_m(tool));
-  while (spacing < largestExtent_m(tool) &&
-         countSamples(tool, spacing) > static_cast<double>(kDefaultSampleLimit)) {
-    spacing *= 1.02;
-  }
+  const double limit = static_cast<double>(kDefaultSampleLimit);
+  while (spacing < largestExtent_m(tool) && countSamples(tool, spacing, limit) > limit) spacing *= 1.02;
   return spacing;
 }
 
 }  // namespace
 
 ToolSamples makeToolSamples(const Scene& scene, const SceneTool& tool, std::optional<double> spacing_m) {
-  if (spacing_m && countSamples(tool, *spacing_m) > static_cast<double>(kStatedSampleLimit)) {
+  const double limit = static_cast<double>(kStatedSampleLimit);
+  if (spacing_m && countSamples(tool, *spacing_m, limit) > limit) {
     throw InputError("measure.sample_spacing_m: too fine for tool '" + tool.name + "', expected at most " +
                      std::to_string(kStatedSampleLimit) + " samples");
   }
   const double spacing = spacing_m ? *spacing_m : defaultSpacing_m(scene, tool);
   ToolSamples samples;
-  samples.points_m.reserve(static_cast<std::size_t>(countSamples(tool, spacing)));
   if (tool.box_size_m) {
     sampleBox(*tool.box_size_m, spacing, samples);
   } else {

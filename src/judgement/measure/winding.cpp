@@ -134,16 +134,25 @@ int windingBeneath(const SurfaceTree& tree, std::size_t index, const Vec3& point
   return nearestInteger(solidAngleWinding(tree, point, index) + 0.5);
 }
 
-int countInvertedTriangles(const SurfaceTree& tree) {
+int countInvertedTriangles(const SurfaceTree& tree, std::span<std::uint8_t> buried) {
+  std::fill(buried.begin(), buried.end(), std::uint8_t{0});
   if (isStarShaped(tree)) return 0;
   int count = 0;
   for (std::size_t i = 0; i < tree.triangles().size(); ++i) {
     const TreeTriangle& t = tree.triangles()[i];
     if (t.doubleAreaNormal().isZero(0.0)) continue;
     const Vec3 centroid = (t.a + t.b + t.c) / 3.0;
-    const auto inOrder = [&](const Vec3& point) { return windingBeneath(tree, i, point) == 1; };
     const auto by = [&](const Vec3& corner) { return Vec3(corner + kFromCorner * (centroid - corner)); };
-    if (!inOrder(centroid) || !inOrder(by(t.a)) || !inOrder(by(t.b)) || !inOrder(by(t.c))) ++count;
+    bool in_order = true, outside = false;  // outside: on one side of it at least
+    for (const Vec3& place : {centroid, by(t.a), by(t.b), by(t.c)}) {
+      const int beneath = windingBeneath(tree, i, place);
+      in_order = in_order && beneath == 1;
+      outside = outside || beneath == 0 || beneath == 1;
+      if (!in_order && outside) break;
+    }
+    if (in_order) continue;
+    ++count;
+    if (!buried.empty()) buried[i] = outside ? 0 : 1;
   }
   return count;
 }

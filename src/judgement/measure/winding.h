@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+
 #include "measure/surface_tree.h"
 
 namespace fissure {
@@ -19,6 +22,8 @@ int windingBeneath(const SurfaceTree& tree, std::size_t index, const Vec3& point
 /// or close by a corner, so 0 or less for a triangle turned inside out (its normal points into the tissue, or
 /// it lies in a fold that has come out on the far side, if only with its tip), 2 or more for one buried in
 /// other tissue of the same body. Triangles without area are not counted: they have no inside.
-int countInvertedTriangles(const SurfaceTree& tree);
+/// `buried`, one a triangle of tree.triangles() or empty, is set to 1 where neither side of a triangle is
+/// outside of the body (winding number 0) at any of these places, else to 0.
+int countInvertedTriangles(const SurfaceTree& tree, std::span<std::uint8_t> buried = {});
 
 }  // namespace fissure

@@ -189,9 +189,11 @@ State SnapshotReader::at(std::size_t snapshot) const {
   return state;
 }
 
-std::optional<double> SnapshotReader::depth_m(std::size_t snapshot) const {
-  if (run_.find("penetration_depth") == nullptr) return std::nullopt;
-  return row("penetration_depth", stepOf(snapshot), {}).front();
+FrameDepths SnapshotReader::depths(std::size_t snapshot) const {
+  const auto value = [&](const char* name) {
+    return run_.find(name) ? std::optional(row(name, stepOf(snapshot), {}).front()) : std::nullopt;
+  };
+  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth")};
 }
 
 }  // namespace fissure

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/frame_text.h"
 #include "base/scene.h"
 #include "base/state.h"
 #include "store/run_reader.h"
@@ -27,8 +28,8 @@ class SnapshotReader {
 
   /// Positions, poses and node states of one snapshot; nothing of what else a step leaves behind.
   State at(std::size_t snapshot) const;
-  /// The penetration depth of that step, where it is measured.
-  std::optional<double> depth_m(std::size_t snapshot) const;
+  /// What a picture of it says of depths.
+  FrameDepths depths(std::size_t snapshot) const;
 
  private:
   const StoredQuantity& need(const std::string& name, std::vector<std::size_t> shape) const;

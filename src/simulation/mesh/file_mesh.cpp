@@ -1,5 +1,6 @@
 #include "mesh/file_mesh.h"
 
+#include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -9,6 +10,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <vector>
@@ -22,12 +24,76 @@ namespace {
 
 constexpr std::size_t max_triangles = std::size_t{1} << 20;
 
+/// A file system for Assimp that has one file, and that in memory: whatever a mesh names, nothing else can be
+/// opened.
+class OneFile {
+ public:
+  explicit OneFile(const MeshText& text)
+      : name_(nameOf(text.format)), bytes_(text.bytes), system_{&open, &close, data(this)} {}
+  OneFile(const OneFile&) = delete;
+  OneFile& operator=(const OneFile&) = delete;
+
+  const char* name() const { return name_; }
+  aiFileIO* files() { return &system_; }
+
+ private:
+  /// An opened file: Assimp's functions, and how far it was read.
+  struct Opened {
+    aiFile file{};
+    const std::string* bytes = nullptr;
+    std::size_t at = 0;
+  };
+
+  static const char* nameOf(MeshFormat format) {
+    constexpr const char* names[] = {"mesh.stl", "mesh.obj", "mesh.ply", "mesh.off"};
+    return names[static_cast<std::size_t>(format)];
+  }
+  template <class T>
+  static char* data(T* object) {
+    return reinterpret_cast<char*>(object);
+  }
+  static Opened& opened(aiFile* file) { return *reinterpret_cast<Opened*>(file->UserData); }
+
+  static aiFile* open(aiFileIO* system, const char* name, const char* mode) {
+    const OneFile& here = *reinterpret_cast<OneFile*>(system->UserData);
+    if (std::strcmp(name, here.name_) != 0 || mode[0] != 'r') return nullptr;
+    auto made = std::make_unique<Opened>();
+    made->bytes = &here.bytes_;
+    made->file = {&read, &write, &tell, &size, &seek, &flush, data(made.get())};
+    return &made.release()->file;
+  }
+  static void close(aiFileIO*, aiFile* file) { delete &opened(file); }
+  static std::size_t read(aiFile* file, char* to, std::size_t size, std::size_t count) {
+    Opened& from = opened(file);
+    const std::size_t items = size == 0 ? 0 : std::min(count, (from.bytes->size() - from.at) / size);
+    std::copy_n(from.bytes->data() + from.at, items * size, to);
+    from.at += items * size;
+    return items;
+  }
+  static std::size_t write(aiFile*, const char*, std::size_t, std::size_t) { return 0; }
+  static std::size_t tell(aiFile* file) { return opened(file).at; }
+  static std::size_t size(aiFile* file) { return opened(file).bytes->size(); }
+  static aiReturn seek(aiFile* file, std::size_t offset, aiOrigin origin) {
+    Opened& in = opened(file);
+    const std::size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? in.at : in.bytes->size();
+    const std::size_t to = from + offset;  // an offset back wraps around, as it should
+    if (to > in.bytes->size()) return aiReturn_FAILURE;
+    in.at = to;
+    return aiReturn_SUCCESS;
+  }
+  static void flush(aiFile*) {}
+
+  const char* name_;
+  const std::string& bytes_;
+  aiFileIO system_;
+};
+
 /// Assimp, loaded when the first mesh is read: linked, it would cost every start of every program 6 ms.
 class Assimp {
  public:
   Assimp()
       : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)),  // it may leave exit handlers behind
-        import_(find<decltype(import_)>("aiImportFileFromMemory")),
+        import_(find<decltype(import_)>("aiImportFileEx")),
         triangulate_(find<decltype(triangulate_)>("aiApplyPostProcessing")),
         error_(find<decltype(error_)>("aiGetErrorString")),
         release_(find<decltype(release_)>("aiReleaseImport")),
@@ -43,10 +109,8 @@ class Assimp {
 
   /// Null when it failed; then and otherwise, complaint() says what was wrong.
   Scene read(const MeshText& text) {
-    constexpr const char* endings[] = {"stl", "obj", "ply", "off"};
-    Scene scene(import_(text.bytes.data(), static_cast<unsigned>(text.bytes.size()), 0,
-                        endings[static_cast<std::size_t>(text.format)]),
-                release_);
+    OneFile only(text);
+    Scene scene(import_(only.name(), 0, only.files()), release_);
     if (!scene && complaint_.empty()) complaint_ = error_();
     return scene;
   }
@@ -81,7 +145,7 @@ class Assimp {
 
   std::string complaint_;
   void* library_;
-  decltype(&aiImportFileFromMemory) import_;
+  decltype(&aiImportFileEx) import_;
   decltype(&aiApplyPostProcessing) triangulate_;
   decltype(&aiGetErrorString) error_;
   decltype(&aiReleaseImport) release_;

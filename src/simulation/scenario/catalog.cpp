@@ -72,6 +72,7 @@ const Catalog& catalog() {
       .device_axes = {{"x", "the log's first coordinate"},
                       {"y", "the log's second coordinate"},
                       {"z", "the log's third coordinate"}},
+      .expected_contacts = {{"any", "bounds hold without contact too"}},
       .device_frames = {{"scene", "the device's axes are the scene's, or as `axes` says"},
                         {"novint", "Falcon by its own driver: x right, y up, z to the operator"},
                         {"chai3d", "Falcon by CHAI3D: x to the operator, y right, z up"}},

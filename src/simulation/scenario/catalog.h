@@ -36,7 +36,8 @@ struct Catalog {
   std::vector<CatalogEntry> length_units;
   std::vector<CatalogEntry> time_units;
   std::vector<CatalogEntry> log_layouts;
-  std::vector<CatalogEntry> device_axes;  ///< not listed: a message names them
+  std::vector<CatalogEntry> device_axes;        ///< not listed: a message names them
+  std::vector<CatalogEntry> expected_contacts;  ///< not listed: a message names them
   std::vector<CatalogEntry> device_frames;
   std::vector<CatalogEntry> mesh_repairs;  ///< in the order in which they are done
 };

@@ -45,6 +45,12 @@ class Checker {
   std::string path_;
 };
 
+/// Of bodies, tools, runs, expectations ...: they are compared with each other.
+inline constexpr std::size_t most_items = 1000;
+
+/// Whether a list of `count` items is refused; says so.
+bool tooMany(Checker check, std::size_t count);
+
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);
 void checkGauge(Checker check, const GaugeSettings& gauge);

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "scenario/bodies_fields.h"
+#include "scenario/catalog.h"
 #include "scenario/forces_fields.h"
 #include "scenario/pipelines_fields.h"
 #include "scenario/scenario.h"
@@ -82,6 +83,7 @@ void describe(Io& io, Expectation& e) {
   io.field("tolerance", e.tolerance);
   io.field("min", e.min);
   io.field("max", e.max);
+  io.choice("contact", e.contact, catalog().expected_contacts);
 }
 
 template <class Io>

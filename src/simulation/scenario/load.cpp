@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "scenario/compose.h"
 #include "scenario/read.h"
-#include "text/text_file.h"
 
 namespace fissure {
 
@@ -121,7 +120,7 @@ LoadedScenario parseStoredScenario(const std::string& text) {
 }
 
 LoadedScenario loadScenario(const Path& file, const std::vector<Override>& overrides) {
-  LoadedScenario loaded = parseScenario(readTextFile(file), file, overrides);
+  LoadedScenario loaded = parseScenario(readYamlFile(file), file, overrides);
   loaded.inputs.insert(loaded.inputs.begin(), file);
   return loaded;
 }

@@ -85,6 +85,12 @@ struct MeasureSettings {
   bool operator==(const MeasureSettings&) const = default;
 };
 
+/// What an expectation asks of contact; without it an upper bound on depth, passing through or inversion does
+/// not hold in a run in which a tool never touched tissue, which proves nothing.
+enum class ExpectedContact {
+  any,  ///< bounds hold without contact too
+};
+
 /// What the summary of a run must say: a value within a tolerance, or bounds. Checked after the run.
 struct Expectation {
   std::optional<std::string> pipeline;  ///< name of the entry; default: every one
@@ -93,6 +99,7 @@ struct Expectation {
   std::optional<double> tolerance;      ///< >= 0: |found - value| may be so large
   std::optional<double> min;            ///< included
   std::optional<double> max;            ///< included
+  std::optional<ExpectedContact> contact;
 
   bool operator==(const Expectation&) const = default;
 };

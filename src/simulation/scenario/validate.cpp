@@ -23,6 +23,7 @@ constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
 /// `seen`: names that are taken; the list's are added.
 template <class Item, class Check>
 void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
+  if (tooMany(check, items.size())) return;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = items[i].name;
     const bool good = isName(name);

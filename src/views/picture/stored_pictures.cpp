@@ -59,7 +59,7 @@ class StoredPictures::Panel {
   void check(double time_s) const {
     if (const auto snapshot = snapshotAt(time_s)) {
       reader_.at(*snapshot);
-      reader_.depth_m(*snapshot);
+      reader_.depths(*snapshot);
     }
   }
 
@@ -94,7 +94,7 @@ class StoredPictures::Panel {
     }
     if (!renderer_) renderer_ = makeOffscreenRenderer(scene_, camera_, first_);
     const State state = reader_.at(*shown.snapshot);
-    std::vector<std::string> lines = frameText(name_, state.time_s, reader_.depth_m(*shown.snapshot));
+    std::vector<std::string> lines = frameText(name_, state.time_s, reader_.depths(*shown.snapshot));
     const bool last = *shown.snapshot + 1 == times_s().size();
     if (shown.over || (last && end_ != RunEnd::ok))
       lines.push_back(end_ == RunEnd::ok ? "ended" : nameOf(end_));

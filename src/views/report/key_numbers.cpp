@@ -60,9 +60,12 @@ std::vector<Row> rowsFor(const std::vector<PipelineResult>& runs) {
   const std::vector<std::string> names = namesOf(runs);
   std::vector<Row> rows = {
       {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "%.3f"},
+      {"max_inversion_aware_depth_m", "The same with inverted tissue", "mm", 1e3, "%.3f"},
       {"final_penetration_depth_m", "Penetration at the end", "mm", 1e3, "%.3f"},
       {"passed_through_samples", "Tool samples passed through", "", 1, "%.0f", true},
       {"max_inverted_triangles", "Triangles inverted at most", "", 1, "%.0f", true},
+      {"max_ground_depth_m", "Tissue below the ground", "mm", 1e3, "%.3f"},
+      {"unsound_steps", "Steps with unsound tissue", "", 1, "%.0f", true},
   };
   for (const std::string& name : names)
     if (const std::string law = between(name, "max_force_", "_N"); !law.empty())
@@ -73,7 +76,9 @@ std::vector<Row> rowsFor(const std::vector<PipelineResult>& runs) {
   for (const std::string& name : names)
     if (const std::string clamp = between(name, "", "_final_reaction_N"); !clamp.empty())
       rows.push_back({name, "Reaction at the end, " + clamp, "N", 1, "%.4g"});
+  rows.push_back({"max_reaction_N", "Largest reaction (see below)", "N", 1, "%.4g"});
   rows.push_back({"first_contact_time_s", "First contact", "s", 1, "%.3f"});
+  rows.push_back({"contact_steps", "Steps with contact", ""});
   rows.push_back({"contacts_total", "Contacts, all steps", ""});
   rows.push_back({"steps", "Steps", ""});
   rows.push_back({"timing/p50_step_us", "Step time, median", "µs", 1, "%.0f"});
@@ -87,8 +92,10 @@ std::vector<Row> rowsFor(const std::vector<PipelineResult>& runs) {
 const std::vector<Row>& folderRows() {
   static const std::vector<Row> rows = {
       {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "%.3f"},
+      {"max_inversion_aware_depth_m", "With inversion", "mm", 1e3, "%.3f"},
       {"passed_through_samples", "Passed through", "", 1, "%.0f", true},
       {"max_inverted_triangles", "Inverted triangles", "", 1, "%.0f", true},
+      {"max_ground_depth_m", "Below ground", "mm", 1e3, "%.3f"},
       {"max_force_N", "Largest force", "N", 1, "%.4g"},
       {"steps", "Steps", ""},
       {"timing/p99_step_us", "Step time, 99 % below", "µs", 1, "%.0f"},

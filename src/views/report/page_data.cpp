@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "measure/verdict.h"
 #include "report/frames.h"
 #include "report/key_numbers.h"
 #include "report/plots.h"
@@ -41,6 +42,26 @@ PageJson provenanceJson(const Provenance& provenance) {
   return json;
 }
 
+/// What a table says of how a run ended, and of what its measures say.
+PageJson endJson(const PipelineResult& run) {
+  const Verdict verdict = verdictOf(run.summary);
+  const bool finished = run.status.end == RunEnd::ok;
+  std::string grade;
+  if (verdict.grade == VerdictGrade::failed) grade = "bad";
+  if (verdict.grade == VerdictGrade::held && finished && verdict.text != "-") grade = "good";
+  return {{"status", endText(run.status.end)},
+          {"finished", finished},
+          {"verdict", verdict.text},
+          {"grade", grade}};
+}
+
+/// The first note on what a reaction is worth, of any run.
+std::string reactionNoteOf(const std::vector<PipelineResult>& runs) {
+  for (const PipelineResult& run : runs)
+    if (std::string note = reactionNote(run.summary); !note.empty()) return note;
+  return "";
+}
+
 PageJson runsJson(const std::vector<ReportRun>& runs) {
   PageJson json = PageJson::array();
   for (const ReportRun& run : runs)
@@ -48,7 +69,7 @@ PageJson runsJson(const std::vector<ReportRun>& runs) {
                     {"pipeline", run.result->pipeline},
                     {"precision", run.result->precision},
                     {"description", run.result->description},
-                    {"status", nameOf(run.result->status.end)},
+                    {"end", endJson(*run.result)},
                     {"times", timesJson(run.times_s)}});
   return json;
 }
@@ -78,7 +99,7 @@ PageJson fittingFrames(const std::vector<ReportRun>& runs, const PageJson& page)
 PageJson entryJson(const FolderEntry& entry) {
   PageJson runs = PageJson::array();
   for (const PipelineResult& run : entry.info.pipelines)
-    runs.push_back({{"name", run.name}, {"status", nameOf(run.status.end)}, {"precision", run.precision}});
+    runs.push_back({{"name", run.name}, {"end", endJson(run)}, {"precision", run.precision}});
   return {{"name", entry.name},
           {"page", entry.page},
           {"problem", entry.problem},
@@ -103,6 +124,7 @@ PageJson resultPage(const std::filesystem::path& file, const std::string& progra
                    {"warnings", warningsJson(info, runs)},
                    {"runs", runsJson(runs)},
                    {"key_numbers", keyNumbersJson(info.pipelines)},
+                   {"reaction_note", reactionNoteOf(info.pipelines)},
                    {"all_numbers", allNumbersJson(info.pipelines)},
                    {"step_times", stepTimesJson(file, info, runs)},
                    {"provenance", provenanceJson(info.provenance)}};

@@ -25,9 +25,13 @@ struct PlotQuantity {
   bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
 };
 
-inline constexpr std::array<PlotQuantity, 24> plot_quantities = {{
+inline constexpr std::array<PlotQuantity, 26> plot_quantities = {{
     {"penetration_depth", "Penetration", "Penetration depth", PlotScale::length,
      "deepest tool sample in tissue, or tissue vertex in a tool"},
+    {"inversion_aware_depth", "Penetration", "Depth with inverted tissue", PlotScale::length,
+     "the shortest way out of all that the tissue fills, folds and what is inside out included"},
+    {"ground_depth", "Penetration", "Tissue below the ground", PlotScale::length,
+     "its lowest vertex: the engine's ground gives way under load"},
     {"stand_off", "Penetration", "Distance between tool and tissue", PlotScale::length,
      "while nothing penetrates, up to 10 mm"},
     {"passed_through", "Penetration", "Passed through", PlotScale::plain,
@@ -42,7 +46,8 @@ inline constexpr std::array<PlotQuantity, 24> plot_quantities = {{
     {"adhesion_clamped", "Force", "Clamped triangles", PlotScale::plain,
      "the law would have pulled there, and was set to 0", "", "law"},
     {"reaction_force", "Force", "Reaction", PlotScale::prefixed,
-     "what the contacts took from the tissue; no contact force with response: none"},
+     "what the contacts took from the tissue: of a shell of springs, it grows as 1/dt²; no force with "
+     "response: none"},
     {"tool_force", "Force", "Force on {}", PlotScale::prefixed, "length", "tool", "law", true},
     {"tool_reaction", "Force", "Reaction on {}", PlotScale::prefixed, "length", "tool", "", true},
     {"jaw_opening", "Clamps", "Opening of {}", PlotScale::length, "", "clamp"},

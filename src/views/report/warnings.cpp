@@ -1,12 +1,15 @@
 #include "report/warnings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 
+#include "measure/verdict.h"
 #include "report/summary_values.h"
 
 namespace fissure {
@@ -64,6 +67,17 @@ void addCounted(const Summary& summary, std::vector<Warning>& warnings) {
           {rule.serious, filled(rule, subject, std::to_string(static_cast<long long>(*count)))});
     }
   }
+}
+
+void addGround(const Summary& summary, std::vector<Warning>& warnings) {
+  const SummaryValue* value = findValue(summary, "max_ground_depth_m");
+  const double depth_m = value ? numberOf(*value).value_or(0) : 0;
+  if (!(depth_m > kHeldDepth_m)) return;
+  std::array<char, 128> text = {};
+  std::snprintf(text.data(), text.size(),
+                "tissue stands up to %.2f mm below the ground: part of what the tool pushes away goes there",
+                1e3 * depth_m);
+  warnings.push_back({false, text.data()});
 }
 
 void addForces(const Summary& summary, std::vector<Warning>& warnings) {
@@ -126,6 +140,8 @@ std::vector<Warning> warningsOf(const ReportRun& run) {
     warnings.push_back({true, nameOf(result.status.end) +
                                   (result.status.detail.empty() ? "" : ": " + result.status.detail)});
   if (run.times_s.empty()) warnings.push_back({true, "it left no series: nothing of it can be plotted"});
+  for (const Remark& remark : remarksOf(result.summary)) warnings.push_back({remark.serious, remark.text});
+  addGround(result.summary, warnings);
   addForces(result.summary, warnings);
   addCounted(result.summary, warnings);
   addSeries(run, warnings);

@@ -62,6 +62,32 @@ TEST(Expectations, OfARunThatFailedDoNotHold) {
   EXPECT_EQ(checked.front().found, "unknown, the run is non_finite");
 }
 
+// A tool that touched nothing proves nothing by its small depth.
+TEST(Expectations, UpperBoundsOnDepthNeedContact) {
+  const Summary missed = {{"max_penetration_depth_m", 0.0},
+                          {"passed_through_samples", 0LL},
+                          {"max_inverted_triangles", 0LL},
+                          {"steps", 3LL},
+                          {"untouched_tools", std::string("left, right")}};
+  const auto holdsHere = [&](const Expectation& expected) {
+    return checkExpectations({expected}, {runWith("a", missed)}).front().holds;
+  };
+  for (const char* quantity :
+       {"max_penetration_depth_m", "passed_through_samples", "max_inverted_triangles"}) {
+    EXPECT_FALSE(holdsHere({.quantity = quantity, .max = 1}));
+    EXPECT_FALSE(holdsHere({.quantity = quantity, .value = 0, .tolerance = 0}));
+    EXPECT_TRUE(holdsHere({.quantity = quantity, .min = 0}));
+    EXPECT_TRUE(holdsHere({.quantity = quantity, .max = 1, .contact = ExpectedContact::any}));
+  }
+  EXPECT_TRUE(holdsHere({.quantity = "steps", .max = 3}));
+  const auto checked =
+      checkExpectations({{.quantity = "passed_through_samples", .max = 0}}, {runWith("a", missed)});
+  EXPECT_EQ(
+      expectationText(checked.front()),
+      "a: passed_through_samples is 0, but left, right never touched tissue (contact: any lets that pass), "
+      "expected at most 0");
+}
+
 TEST(Expectations, WithoutAPipelineAreAboutEveryRun) {
   const Expectation expected{.quantity = "steps", .value = 3, .tolerance = 0};
   const auto checked =

@@ -80,10 +80,10 @@ using Names = std::vector<std::string>;
 
 TEST_F(ProbesTest, DeclareOnlyWhatTheSceneNeeds) {
   start();
-  EXPECT_EQ(seriesNames(),
-            (Names{"penetration_depth", "passed_through", "inverted_triangles", "stand_off", "tool_position",
-                   "tool_quaternion", "contact_count", "reaction_force", "kinetic_energy", "momentum",
-                   "volume", "timing/step_time_us", "timing/collision_time_us"}));
+  EXPECT_EQ(seriesNames(), (Names{"penetration_depth", "inversion_aware_depth", "passed_through",
+                                  "inverted_triangles", "stand_off", "tool_position", "tool_quaternion",
+                                  "contact_count", "reaction_force", "kinetic_energy", "momentum", "volume",
+                                  "timing/step_time_us", "timing/collision_time_us"}));
   EXPECT_EQ(scalar("node_switch_rate_hz").name, "absent");
   EXPECT_EQ(scalar("max_force_N").name, "absent");
 }
@@ -127,6 +127,7 @@ TEST_F(ProbesTest, DeclareNodeAndForceSeriesWhereTheyExist) {
   addLaws({"hc", "linear"});
   start();
   EXPECT_EQ(seriesNames(), (Names{"penetration_depth",
+                                  "inversion_aware_depth",
                                   "passed_through",
                                   "inverted_triangles",
                                   "stand_off",
@@ -198,7 +199,9 @@ TEST_F(ProbesTest, SummarizeNaNBeforeTheFirstStep) {
   Summary summary;
   for (const auto& probe : probes_) probe->summarize(summary);
   for (const SummaryValue& scalar : summary) {
-    if (scalar.name == "tool_samples") continue;  // known from the start
+    if (scalar.name == "tool_samples" || scalar.name == "sample_coverage_m")
+      continue;  // known from the start
+    if (scalar.name.starts_with("node_spacing")) continue;
     ASSERT_TRUE(std::holds_alternative<double>(scalar.value)) << scalar.name;
     EXPECT_TRUE(std::isnan(std::get<double>(scalar.value))) << scalar.name;
   }
@@ -227,6 +230,80 @@ TEST_F(ProbesTest, OneUnknownDepthMakesTheMaximumUnknown) {
   step();
   EXPECT_TRUE(std::isnan(real("max_penetration_depth_m")));
   EXPECT_EQ(real("final_penetration_depth_m"), 0);
+}
+
+// The tissue box reaches from y = -0.05 to 0.05.
+TEST_F(ProbesTest, GroundDepthIsThatOfTheLowestVertex) {
+  scene_.ground_height_m = -0.06;
+  start();
+  step();
+  EXPECT_EQ(value("ground_depth"), 0);
+  state_.positions_m[5].y() = -0.0625;
+  step();
+  EXPECT_NEAR(value("ground_depth"), 0.0025, 1e-15);
+  state_.positions_m[5].y() = 0;
+  step();
+  EXPECT_EQ(value("ground_depth"), 0);
+  EXPECT_NEAR(real("max_ground_depth_m"), 0.0025, 1e-15);
+  state_.positions_m[5].y() = kNaN;
+  step();
+  EXPECT_TRUE(std::isnan(value("ground_depth")) && std::isnan(real("max_ground_depth_m")));
+}
+
+TEST_F(ProbesTest, WithoutGroundThereIsNoGroundDepth) {
+  start();
+  EXPECT_EQ(layout_.find("ground_depth"), nullptr);
+  EXPECT_EQ(scalar("max_ground_depth_m").name, "absent");
+}
+
+TEST_F(ProbesTest, ATrialWithoutContactIsNamed) {
+  start();
+  step();
+  EXPECT_EQ(count("contact_steps"), 0);
+  EXPECT_EQ(std::get<std::string>(scalar("untouched_tools").value), scene_.tools[0].name);
+  state_.contact.contact_count = 2;
+  step();
+  EXPECT_EQ(count("contact_steps"), 1);
+  EXPECT_EQ(scalar("untouched_tools").name, "absent");
+}
+
+TEST_F(ProbesTest, InvertedTissueIsUnsoundBeforeTheFirstContact) {
+  start();
+  step();
+  for (Vec3& position_m : state_.positions_m) position_m.x() = -position_m.x();
+  step();
+  EXPECT_EQ(count("unsound_steps"), 1);
+  EXPECT_EQ(count("first_unsound_step"), 1);
+}
+
+TEST_F(ProbesTest, ThePeakOfTheReaction) {
+  start();
+  for (const double y : {1.0, -5.0, 2.0}) {
+    state_.contact.reaction_on_tool_N = Vec3(0, y, 0);
+    step();
+  }
+  EXPECT_EQ(real("max_reaction_N"), 5);
+}
+
+// Along one of its axes a blade moves straight; between them it moves obliquely.
+TEST_F(ProbesTest, ObliqueStepsOfNodesOnAllSides) {
+  addNodes(4);
+  scene_.tools[0].nodes.all_sides = true;
+  start();
+  const auto move = [&](const Vec3& velocity_m_s, int contacts) {
+    state_.tools[0].velocity_m_s = velocity_m_s;
+    state_.contact.contact_count = contacts;
+    step();
+  };
+  move({0, -1, 0}, 1);
+  move({1, 0.1, 0}, 1);
+  move({0, 0, 0}, 1);
+  move({1, -1, 0}, 0);
+  EXPECT_EQ(count("oblique_steps"), 0);
+  move({1, -1, 0}, 1);
+  EXPECT_EQ(count("oblique_steps"), 1);
+  move({1, 0, 0.3}, 1);
+  EXPECT_EQ(count("oblique_steps"), 2);
 }
 
 TEST_F(ProbesTest, ToolPose) {

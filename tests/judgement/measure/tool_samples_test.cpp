@@ -120,6 +120,65 @@ TEST(ToolSamples, KeepTheLimitForHugeAndForExtremelyThinTools) {
   }
 }
 
+/// A flat bar of 90 x 1 x 12 mm with long, thin triangles, as CAD programs leave them: its large faces are
+/// strips of 0.3 mm along it.
+TriangleMesh stripedBar() {
+  TriangleMesh bar;
+  const int strips = 40;
+  for (int i = 0; i <= strips; ++i)
+    for (const double y : {-0.0005, 0.0005})
+      for (const double x : {-0.045, 0.045}) bar.vertices_m.emplace_back(x, y, 0.0003 * i - 0.006);
+  const auto quad = [&](int a, int b, int c, int d) {
+    bar.faces.push_back({a, b, c});
+    bar.faces.push_back({a, c, d});
+  };
+  for (int i = 0; i < strips; ++i) {
+    const int k = 4 * i;
+    quad(k, k + 1, k + 5, k + 4);      // below
+    quad(k + 2, k + 6, k + 7, k + 3);  // above
+    quad(k, k + 4, k + 6, k + 2);      // the ends
+    quad(k + 1, k + 3, k + 7, k + 5);
+  }
+  quad(0, 2, 3, 1);
+  quad(4 * strips, 4 * strips + 1, 4 * strips + 3, 4 * strips + 2);
+  return bar;
+}
+
+// Placed by the triangles' longest edges, 20,000 samples were 2.8 mm apart on such a tool.
+TEST(ToolSamples, ArePlacedByAreaHoweverThinTheTriangles) {
+  Scene scene = test::makeScene({makeSphere(0.03, 2)}, {{0.09, 0.001, 0.012}});
+  const ToolSamples box = makeToolSamples(scene, scene.tools[0], std::nullopt);
+  scene.tools[0].box_size_m.reset();
+  scene.tools[0].surface = stripedBar();
+  const ToolSamples striped = makeToolSamples(scene, scene.tools[0], std::nullopt);
+  EXPECT_LE(striped.points_m.size(), 20'000u);
+  EXPECT_LT(striped.coverage_m, 0.0009);
+  EXPECT_LT(striped.coverage_m, 3 * box.coverage_m);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> share(0, 1);
+  for (int i = 0; i < 300; ++i) {
+    const Face& face =
+        scene.tools[0].surface.faces[static_cast<std::size_t>(i) % scene.tools[0].surface.faces.size()];
+    const auto corner = [&](std::size_t k) {
+      return scene.tools[0].surface.vertices_m[static_cast<std::size_t>(face[k])];
+    };
+    double s = share(random), t = share(random);
+    if (s + t > 1) {
+      s = 1 - s;
+      t = 1 - t;
+    }
+    const Vec3 point = corner(0) + s * (corner(1) - corner(0)) + t * (corner(2) - corner(0));
+    EXPECT_LE(nearest(striped.points_m, point), striped.coverage_m + 1e-15);
+  }
+}
+
+TEST(ToolSamples, AnAbsurdSpacingOnTrianglesIsRefusedAtOnce) {
+  Scene scene = spatulaOnSphere();
+  scene.tools[0].box_size_m.reset();
+  for (const double spacing : {1e-7, 1e-300})
+    EXPECT_THROW(makeToolSamples(scene, scene.tools[0], spacing), InputError);
+}
+
 TEST(ToolSamples, AStatedSpacingIsKeptBeyondTheDefaultLimitAndRefusedWhereAbsurd) {
   const Scene scene = spatulaOnSphere();
   EXPECT_GT(makeToolSamples(scene, scene.tools[0], 0.0002).points_m.size(), 30'000u);

@@ -50,7 +50,7 @@ TEST(SnapshotReader, GivesBackSceneAndStates) {
     EXPECT_EQ(read.contact.node_states, state.contact.node_states);
     for (std::size_t t = 0; t < 3; ++t) expectSamePose(read.tools.at(t).pose, state.tools[t].pose);
     expectSamePose(read.clamps.at(0).pose, state.clamps[0].pose);
-    EXPECT_EQ(reader.depth_m(k), drawableDepth_m(k));
+    EXPECT_EQ(reader.depths(k).depth_m, drawableDepth_m(k));
   }
 }
 

@@ -2,6 +2,8 @@
 #include "mesh/file_mesh.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "defect_lines.h"
@@ -44,6 +46,57 @@ class MeshFile : public testing::Test {
   }
   TemporaryFolder folder_;
 };
+
+std::string replaced(std::string text, char what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, 1, with);
+  return text;
+}
+
+// Assimp ends a line at each of these; the material library of asObj does not exist.
+TEST_F(MeshFile, AnyLineEndOfObjHidesMaterials) {
+  const TriangleMesh mesh = ball();
+  for (const std::string end : {"\n", "\r\n", "\r", "\f"}) {
+    const TriangleMesh read = readMeshFile(folder_.write("a.obj", replaced(asObj(mesh), '\n', end)));
+    EXPECT_EQ(read.faces.size(), mesh.faces.size());
+  }
+}
+
+// A pipe that nobody writes to: opening it would never end.
+TEST_F(MeshFile, NoOtherFileIsOpened) {
+  const std::filesystem::path pipe = folder_.path() / "materials";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ::alarm(60);
+  const std::string mesh = asObj(ball());
+  for (const std::string line : {"\rmtllib ", "\n\tmtllib ", "\nmtllib\t", "\f mtllib "})
+    EXPECT_NO_THROW(readMeshFile(folder_.write("a.obj", mesh + line + pipe.string() + "\n")));
+  EXPECT_EQ(
+      refusal("b.obj", mesh + "mtl\\\nlib " + pipe.string() + "\n").rfind("cannot be read as a mesh (", 0),
+      0u);
+  ::alarm(0);
+}
+
+// Assimp skips what follows them up to the next line feed.
+TEST_F(MeshFile, OddLineEndsOfPlyAreRefused) {
+  const TriangleMesh mesh = ball();
+  EXPECT_EQ(readMeshFile(folder_.write("a.ply", replaced(asTextPly(mesh), '\n', "\r\n"))).faces.size(),
+            mesh.faces.size());
+  for (const std::string end : {"\r", "\f"}) {
+    const std::string text = replaced(plyHeader(mesh, "ascii"), '\n', end);
+    EXPECT_NE(refusal("b.ply", text + indexedText(mesh)).find("within a line"), std::string::npos);
+    EXPECT_NE(refusal("c.ply", plyHeader(mesh, "ascii") + replaced(indexedText(mesh), '\n', end) + "\n")
+                  .find("within a line"),
+              std::string::npos);
+  }
+}
+
+TEST_F(MeshFile, CommentsOfOffEndAtAnyLineEnd) {
+  const TriangleMesh mesh = ball();
+  for (const std::string end : {"\n", "\r"}) {
+    const std::string text = "OFF# of nothing" + end + asOff(mesh).substr(4);
+    EXPECT_EQ(readMeshFile(folder_.write("a.off", text)).faces.size(), mesh.faces.size());
+  }
+}
 
 TEST_F(MeshFile, EveryFormatGivesTheSameTriangles) {
   const TriangleMesh mesh = ball();

@@ -34,7 +34,7 @@ class StoredPicturesTest : public testing::Test {
   Image drawnByTheRun(const std::string& name, std::size_t snapshot) const {
     const auto frames = makeOffscreenRenderer(drawableScene(), settings_.frames, drawableState(0));
     const State state = drawableState(snapshot);
-    return frames->draw(state, frameText(name, state.time_s, drawableDepth_m(snapshot)));
+    return frames->draw(state, frameText(name, state.time_s, {drawableDepth_m(snapshot), {}, {}}));
   }
 
   /// The panel in this column of a picture with one row.
@@ -78,7 +78,8 @@ TEST_F(StoredPicturesTest, HandlesOfClampsAreDrawn) {
   state.clamps.clear();
   settings_.frames.camera = CameraSettings{{0.1, 0.2, 0.3}, {0, 0.03, 0}, {0, 1, 0}, 30};
   const auto frames = makeOffscreenRenderer(bare, settings_.frames, state);
-  EXPECT_NE(open().picture(0.1).rgb, frames->draw(state, frameText("a", 0.1, drawableDepth_m(1))).rgb);
+  EXPECT_NE(open().picture(0.1).rgb,
+            frames->draw(state, frameText("a", 0.1, {drawableDepth_m(1), {}, {}})).rgb);
 }
 
 TEST_F(StoredPicturesTest, PanelsSideBySide) {
@@ -103,7 +104,7 @@ TEST_F(StoredPicturesTest, ARunThatEndedKeepsItsLastStateAndSaysHow) {
   const Image later = panel(pictures.picture(0.2), 1);
   EXPECT_EQ(panel(pictures.picture(0.2), 0).rgb, drawnByTheRun("a", 2).rgb);
   const auto frames = makeOffscreenRenderer(drawableScene(), settings_.frames, drawableState(0));
-  std::vector<std::string> text = frameText("b", 0.1, drawableDepth_m(1));
+  std::vector<std::string> text = frameText("b", 0.1, {drawableDepth_m(1), {}, {}});
   text.push_back("crashed");
   EXPECT_EQ(last.rgb, frames->draw(drawableState(1), text).rgb);
   const auto brightness = [](const Image& image) {

@@ -100,6 +100,17 @@ TEST(PageData, OnlyWhatIsPresentIsShown) {
   EXPECT_EQ(ids, (std::set<std::string>{"penetration_depth", "force", "force_elastic", "contact_count"}));
 }
 
+// The sample's worst depth is 250 mm: that its run has finished is nothing good.
+TEST(PageData, ARunThatFinishedIsJudgedByItsMeasures) {
+  const TemporaryFolder folder;
+  const fs::path file = writeSample(folder, makeSampleRun(5, false));
+  const PageJson deep = {
+      {"status", "finished"}, {"finished", true}, {"verdict", "250.00 mm inside"}, {"grade", "bad"}};
+  EXPECT_EQ(resultPage(file, "p", "")["runs"][0]["end"], deep);
+  const PageJson table = folderPage("f", "p", {{.name = "sample.h5", .info = readResultInfo(file)}});
+  EXPECT_EQ(table["results"][0]["runs"][0]["end"], deep);
+}
+
 TEST(PageData, FramesAreWebpPictures) {
   const TemporaryFolder folder;
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true)), "fissure test", "");
@@ -119,7 +130,7 @@ TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
   EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 steps is no number");
   EXPECT_TRUE(hasWarning(page, "crashed: killed by signal 11 at step 3", true));
   EXPECT_TRUE(hasWarning(page, "it left no series", true));
-  EXPECT_EQ(page["runs"][1]["status"], "crashed");
+  EXPECT_EQ(page["runs"][1]["end"]["status"], "crashed");
   EXPECT_EQ(page["runs"][1]["times"]["count"], 0);
   EXPECT_EQ((*findPlot(page, "penetration_depth"))["variants"][0]["series"].size(), 1u);
 }

@@ -150,12 +150,13 @@ function summary() {
   if (data.runs.length === 0) return;
   const table = numberTable(data.key_numbers, 'numbers');
   const rows = [
-    ['Status', run => run.status, run => run.status === 'ok' ? 'good' : 'bad'],
+    ['Ended', run => run.end.status, run => run.end.finished ? '' : 'bad'],
+    ['Verdict', run => run.end.verdict, run => 'verdict ' + run.end.grade],
     ['Pipeline', run => run.pipeline + (run.precision ? ', ' + run.precision : ''), () => ''],
   ].map(([label, text, kind]) => element('tr', {}, element('th', {scope: 'row'}, label),
     ...data.runs.map(run => element('td', {class: kind(run)}, text(run)))));
   table.querySelector('tbody').prepend(...rows);
-  section('Side by side', table, expectations(),
+  section('Side by side', table, data.reaction_note ? element('p', {class: 'soft'}, data.reaction_note) : null, expectations(),
     element('details', {}, element('summary', {}, 'All summary values'), numberTable(data.all_numbers, 'numbers')),
     element('details', {}, element('summary', {}, 'What the pipelines are'),
       element('ul', {}, ...data.runs.map((run, index) => element('li', {}, runLabel(index), ': ' + run.description)))));
@@ -196,18 +197,19 @@ function footer() {
 function folderRows(result) {
   const name = result.page ? element('a', {href: result.page}, result.name) : result.name;
   if (result.problem) return [element('tr', {}, element('th', {scope: 'row'}, name),
-    element('td', {class: 'problem', colspan: data.columns.length + 2}, result.problem))];
+    element('td', {class: 'problem', colspan: data.columns.length + 3}, result.problem))];
   if (result.note) return [element('tr', {},
     element('th', {scope: 'row'}, name, element('br'), element('span', {class: 'soft'}, result.title)),
-    element('td', {class: 'left', colspan: data.columns.length + 2}, result.note))];
+    element('td', {class: 'left', colspan: data.columns.length + 3}, result.note))];
   const rows = result.runs.map((run, index) => element('tr', {},
     index > 0 ? null : element('th', {scope: 'row', rowspan: result.runs.length},
       name, element('br'), element('span', {class: 'soft'}, result.title)),
     element('td', {class: 'left'}, run.name),
-    element('td', {class: run.status === 'ok' ? 'left good' : 'left bad'}, run.status),
+    element('td', {class: run.end.finished ? 'left' : 'left bad'}, run.end.status),
+    element('td', {class: 'left verdict ' + run.end.grade}, run.end.verdict),
     ...result.numbers[index].map(cell => element('td', {class: cell.bad ? 'bad' : ''}, cell.text))));
   return rows.length ? rows : [element('tr', {}, element('th', {scope: 'row'}, name),
-    element('td', {class: 'problem', colspan: data.columns.length + 2}, 'no run'))];
+    element('td', {class: 'problem', colspan: data.columns.length + 3}, 'no run'))];
 }
 
 function folder() {
@@ -215,7 +217,7 @@ function folder() {
   const count = data.results.length + (data.results.length === 1 ? ' file' : ' files');
   const columns = data.columns.map(column => column.label + (column.unit ? ', ' + column.unit : ''));
   page.append(element('p', {class: 'soft'}, count),
-    headedTable('results', ['result', 'run', 'status', ...columns], data.results.flatMap(folderRows)));
+    headedTable('results', ['result', 'run', 'ended', 'verdict', ...columns], data.results.flatMap(folderRows)));
   footer();
 }
 

@@ -29,7 +29,7 @@ function sweepHeading() {
     data.description ? element('p', {}, data.description) : null,
     element('p', {class: 'soft'}, about.join(' · ')),
     element('p', {class: 'tally'}, element('b', {}, plural(data.total, 'run')), ': ',
-      element('span', {class: 'good'}, good + ' good'), ', ',
+      element('span', {}, good + ' finished'), ', ',
       element('span', {class: failed ? 'bad' : ''}, failed + ' failed'), ', ',
       element('span', {class: missing ? 'bad' : ''}, missing + ' not run'),
       '. Design: ' + (DESIGNS[data.design] ?? data.design) + '.')));
@@ -59,7 +59,8 @@ function holdRow(code, depth, passed) {
 }
 
 function holdSection() {
-  const depth = metricNamed('max_penetration_depth_m'), passed = metricNamed('passed_through_samples') ?? null;
+  const depth = metricNamed('max_inversion_aware_depth_m') ?? metricNamed('max_penetration_depth_m'),
+    passed = metricNamed('passed_through_samples') ?? null;
   if (!depth) {
     if (noneGood()) section('Which pipeline holds', element('p', {}, noneGood() + ', so no pipeline holds.'));
     return;
@@ -78,7 +79,7 @@ function holdSection() {
     shown = next;
   });
   section('Which pipeline holds', element('p', {}, element('label', {},
-    'A run holds when it ended well and the tool was never deeper than ',
+    'A run holds when it finished and the tool was never deeper, inverted tissue included, than ',
     bound, ' mm.'), ' Shares are of the runs that were run.'), shown);
 }
 
@@ -131,7 +132,7 @@ function runSection() {
     const head = [row('run', numberOf(run) + ', point ' + points[run] +
       (repeats[run] > 0 ? ', repeat ' + repeats[run] : '')),
       row('pipeline', pipelines[pipelineOf[run]]),
-      row('ended', statusOf(run) + (detailOf(run) ? ': ' + detailOf(run) : ''), ['good', '', 'bad'][endOf[run]])];
+      row('ended', endTextOf(run) + (detailOf(run) ? ': ' + detailOf(run) : ''), ['', '', 'bad'][endOf[run]])];
     if (fileOf(run)) head.push(row('result', fileOf(run)));
     const values = columns => columns.map(column => row(column.label, column.show(column.values[run])));
     box.replaceChildren(element('div', {class: 'pair'},

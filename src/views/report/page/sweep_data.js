@@ -26,6 +26,7 @@ const points = numbersOf(data.point), repeats = numbersOf(data.repeat);
 const pipelines = data.pipeline.values, pipelineOf = codesOf(data.pipeline.codes);
 const statusOf = textsOf(data.status), detailOf = textsOf(data.detail), fileOf = textsOf(data.files);
 const GOOD = 0, MISSING = 1, BAD = 2;
+const endTextOf = run => statusOf(run) === 'ok' ? 'finished' : statusOf(run);
 const endOf = Uint8Array.from({length: RUNS}, (none, run) => ({ok: GOOD, missing: MISSING})[statusOf(run)] ?? BAD);
 const allRuns = Array.from({length: RUNS}, (none, run) => run);
 

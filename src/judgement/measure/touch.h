@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/state.h"
+#include "measure/penetration.h"
+#include "measure/tool_shape.h"
+
+namespace fissure {
+
+/// Which tools and bodies have met since the start: by a contact that the engine reports, or by a tool that
+/// is in tissue without one.
+class Touch {
+ public:
+  explicit Touch(const Scene& scene);
+
+  /// The next step; `found` is what `meter` measured in it.
+  void add(const State& state, const PenetrationMeter& meter, const Penetration& found);
+
+  long long steps() const { return steps_; }  ///< in which any tool met tissue
+  /// Whether a tool meets the body in the last step, and whether one has met it up to now.
+  bool isTouched(std::size_t body) const { return bodies_[body].now; }
+  bool wasTouched(std::size_t body) const { return bodies_[body].ever; }
+  /// Names of the tools that have met no tissue, in the scene's order.
+  std::vector<std::string> untouchedTools() const;
+
+ private:
+  struct Body {
+    std::size_t first_vertex = 0, vertex_count = 0;
+    bool now = false, ever = false;
+  };
+  struct Tool {
+    std::string name;
+    ToolShape shape;
+    bool met = false;
+  };
+  void noteTools(const State& state, const PenetrationMeter& meter);
+
+  std::vector<Body> bodies_;
+  std::vector<Tool> tools_;
+  long long steps_ = 0;
+};
+
+}  // namespace fissure

@@ -1,0 +1,90 @@
+#include "measure/verdict.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fissure::verdict_test {
+
+namespace {
+
+Summary good() {
+  return {{"max_penetration_depth_m", 0.0}, {"max_inversion_aware_depth_m", 0.0},
+          {"passed_through_samples", 0LL},  {"max_inverted_triangles", 0LL},
+          {"sample_coverage_m", 0.0},       {"contact_steps", 12LL},
+          {"unsound_steps", 0LL},           {"max_ground_depth_m", 0.0},
+          {"node_spacing_over_edge", 0.5}};
+}
+
+Summary with(const std::string& name, const std::variant<double, long long, std::string>& value) {
+  Summary summary = good();
+  for (SummaryValue& known : summary) {
+    if (known.name != name) continue;
+    known.value = value;
+    return summary;
+  }
+  summary.push_back({name, value});
+  return summary;
+}
+
+void expectVerdict(const Summary& summary, VerdictGrade grade, const std::string& text) {
+  const Verdict verdict = verdictOf(summary);
+  EXPECT_EQ(verdict.text, text);
+  EXPECT_EQ(static_cast<int>(verdict.grade), static_cast<int>(grade)) << text;
+}
+
+TEST(Verdict, SaysHeldOnlyWhereNothingSpeaksAgainstIt) {
+  expectVerdict(good(), VerdictGrade::held, "held");
+  expectVerdict(with("max_inversion_aware_depth_m", 0.00012), VerdictGrade::held, "held to 0.12 mm");
+  expectVerdict(with("max_inversion_aware_depth_m", 0.014), VerdictGrade::failed, "14.00 mm inside");
+  expectVerdict(with("max_inversion_aware_depth_m", NAN), VerdictGrade::failed, "depth unknown");
+  expectVerdict(with("passed_through_samples", 3LL), VerdictGrade::failed, "passed through");
+  expectVerdict(with("max_inverted_triangles", 3LL), VerdictGrade::failed, "inverted");
+  expectVerdict(with("unsound_steps", 1LL), VerdictGrade::failed, "unsound tissue");
+  expectVerdict(with("contact_steps", 0LL), VerdictGrade::doubtful, "never touched tissue");
+  expectVerdict(with("max_ground_depth_m", 0.00565), VerdictGrade::doubtful, "held, 5.65 mm below ground");
+}
+
+TEST(Verdict, OfAnOlderResultTakesThePlainDepth) {
+  expectVerdict({{"max_penetration_depth_m", 0.002}}, VerdictGrade::failed, "2.00 mm inside");
+  expectVerdict({{"steps", 3LL}}, VerdictGrade::held, "-");
+}
+
+TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
+  EXPECT_TRUE(remarksOf(good()).empty());
+  const auto only = [](const Summary& summary) {
+    const std::vector<Remark> remarks = remarksOf(summary);
+    EXPECT_EQ(remarks.size(), 1u);
+    return remarks.empty() ? "" : remarks.front().text;
+  };
+  EXPECT_EQ(only(with("untouched_tools", std::string("left"))), "never touched tissue: left");
+  EXPECT_EQ(only(with("sample_coverage_m", 0.00053)),
+            "samples see depths to within 0.53 mm: that much more may hide between them "
+            "(measure.sample_spacing_m)");
+  EXPECT_NE(only(with("node_spacing_over_edge", 0.51)).find("0.51 of a mean tissue edge"), std::string::npos);
+  EXPECT_NE(only(with("oblique_steps", 7LL)).find("in 7 steps a blade moves obliquely"), std::string::npos);
+  Summary unsound = with("unsound_tissue", std::string("vessel explodes"));
+  unsound.push_back({"first_unsound_step", 12LL});
+  EXPECT_EQ(only(unsound), "unsound tissue, first in step 12: vessel explodes");
+}
+
+TEST(Remarks, CoverageIsNoneWhereTheDepthClaimedIsLarger) {
+  Summary summary = with("sample_coverage_m", 0.00053);
+  for (SummaryValue& value : summary)
+    if (value.name == "max_inversion_aware_depth_m") value.value = 0.02;
+  EXPECT_TRUE(remarksOf(summary).empty());
+}
+
+TEST(ReactionNote, StandsWhereThereIsAReaction) {
+  EXPECT_EQ(reactionNote(good()), "");
+  EXPECT_EQ(reactionNote(with("max_reaction_N", NAN)), "");
+  EXPECT_NE(reactionNote(with("max_reaction_N", 30.0)).find("1/dt^2"), std::string::npos);
+}
+
+TEST(EndText, OkIsNoJudgement) {
+  EXPECT_EQ(endText(RunEnd::ok), "finished");
+  EXPECT_EQ(endText(RunEnd::non_finite), "non_finite");
+}
+
+}  // namespace
+}  // namespace fissure::verdict_test
