@@ -2,7 +2,6 @@
 //   exit 0: the part is finished (its status says ok or non_finite); 2: bad input; 3: failed
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -10,6 +9,7 @@
 #include "base/error.h"
 #include "check/scenario_input.h"
 #include "engine/simulation.h"
+#include "files/write_file.h"
 #include "main/command.h"
 #include "main/exit_codes.h"
 #include "measure/probes.h"
@@ -145,9 +145,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   TaskRecord done = recorder.record();
   done.timing["timing/simulation_wall_s"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  std::ofstream stream(record, std::ios::binary);
-  stream << encodeRecord(done);
-  if (!stream.flush()) throw RunError(record + ": cannot write, is the disk full?");
+  writeFile(record, encodeRecord(done));
 }
 
 int parseAndWork(int argc, const char* const* argv) {
@@ -162,7 +160,10 @@ int parseAndWork(int argc, const char* const* argv) {
   root.option("--order", order, "instead of a scenario: file with a simulation of a sweep");
   root.option("--record", record, "file for the sweep's record of it");
   const CommandLine::Outcome parsed = line.parse(argc, argv);
-  if (parsed.done) return exit_good;
+  if (parsed.done) {
+    if (!std::cout.flush()) throw RunError("standard output: cannot write");
+    return exit_good;
+  }
   if (!parsed.error.empty()) throw InputError(parsed.error);
   if (order.empty() ? scenario.empty() || directory.empty() || pipeline.empty() || part.empty()
                     : record.empty())

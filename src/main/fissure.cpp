@@ -1,5 +1,7 @@
 // The front program: verbs, exit codes, and the only place that prints errors.
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -11,6 +13,8 @@
 #include "main/exit_codes.h"
 #include "main/one_line.h"
 #include "main/verbs.h"
+#include "process/interrupt.h"
+#include "text/terminal_text.h"
 
 namespace {
 
@@ -24,11 +28,19 @@ void setSignals() {
   std::signal(SIGCHLD, SIG_DFL);
 }
 
+/// What could not be printed must not look like success.
+void requireWritten(std::ostream& output) {
+  errno = 0;
+  if (output.flush()) return;
+  throw RunError(std::string("standard output: cannot write") +
+                 (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
+}
+
 int runVerb(const std::vector<Verb>& verbs) {
   int code = exit_usage;
   for (const Verb& verb : verbs)
     if (verb.command.given()) code = verb.action();
-  if (!std::cout.flush()) throw RunError("standard output: cannot write");
+  requireWritten(std::cout);
   return code;
 }
 
@@ -53,7 +65,10 @@ int start(int argc, char** argv) {
                                    addCompare(app),    addRender(app),       addReport(app),
                                    addExport(app),     addFit(app),          addSalvage(app, words)};
   const CommandLine::Outcome parsed = command_line.parse(argc, argv);
-  if (parsed.done) return exit_good;
+  if (parsed.done) {
+    requireWritten(std::cout);
+    return exit_good;
+  }
   if (!parsed.error.empty()) return fail(exit_usage, "fissure: " + parsed.error + " (see fissure --help)");
   return runVerb(verbs);
 }
@@ -61,6 +76,8 @@ int start(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  // Names and texts of results and scenarios come from anywhere: none of them may command the terminal.
+  const PlainOutput plain_out(std::cout), plain_err(std::cerr);
   try {
     setSignals();
     return start(argc, argv);
@@ -68,6 +85,8 @@ int main(int argc, char** argv) {
     return fail(exit_usage, error.what());
   } catch (const RunError& error) {
     return fail(exit_run_failed, error.what());
+  } catch (const Interrupted& request) {
+    return fail(exit_interrupted, "fissure: " + std::string(request.what()));
   } catch (const std::exception& error) {
     return fail(exit_run_failed, "fissure: " + std::string(error.what()));
   }

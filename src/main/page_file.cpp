@@ -7,7 +7,7 @@
 namespace fissure {
 
 void writePageApart(const std::filesystem::path& target, const std::function<std::string()>& make,
-                    unsigned long most_s) {
+                    const Allowance& allowance) {
   TemporaryFile temporary(target);
   const auto named = [&](const auto& writing) {
     try {
@@ -21,7 +21,7 @@ void writePageApart(const std::filesystem::path& target, const std::function<std
         const std::string page = make();
         named([&] { temporary.write(page); });
       },
-      most_s);
+      allowance);
   named([&] { temporary.commit(); });
 }
 

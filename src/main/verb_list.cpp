@@ -34,7 +34,7 @@ std::string defaultsOf(const ForceLawEntry& law) {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 21> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 22> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {tissues_title, tables.tissues},
                                         {"body shapes", tables.body_shapes},
@@ -54,6 +54,7 @@ int listCatalog() {
                                         {"aero models", tables.aero_models},
                                         {"soft contacts", tables.soft_contacts},
                                         {"length units", tables.length_units},
+                                        {"time units", tables.time_units},
                                         {"mesh repairs", tables.mesh_repairs}}};
   for (const auto& [title, entries] : named) {
     std::cout << title << "\n";

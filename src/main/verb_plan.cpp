@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "motion/motion.h"
 #include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
+#include "text/units.h"
 
 namespace fissure {
 
@@ -27,6 +29,14 @@ void printReplay(const Motion& motion) {
     counts += (counts.empty() ? "" : ", ") + summaryText(value) + " " + what;
   }
   if (!counts.empty()) std::cout << "    replay: " << counts << "\n";
+}
+
+/// "    motion: at most 0.1 m/s and 3.2 m/s2"
+void printPeaks(const MotionPeaks& peaks) {
+  std::cout << "    motion: at most " << fourDigits(peaks.speed_m_s()) << " m/s";
+  if (!std::isnan(peaks.acceleration_m_s2()))
+    std::cout << " and " << fourDigits(peaks.acceleration_m_s2()) << " m/s2";
+  std::cout << "\n";
 }
 
 /// "jaws clamp_left and clamp_right, parallel; device axis z opens them by up to 0.04 m ..."
@@ -70,7 +80,9 @@ void printScene(const CheckedScenario& checked) {
                 << tool.coupling->force;
     std::cout << "\n";
     if (tool.clamp) printClamp(tool);
-    printReplay(*checked.prepared.motions[t]);
+    const Motion& motion = *checked.prepared.motions[t];
+    printPeaks(peaksOf(motion, scenario.time.step_s, checked.steps));
+    printReplay(motion);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
   if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";

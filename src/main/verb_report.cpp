@@ -38,7 +38,8 @@ std::string program() {
 /// The page of one result. Throws InputError about it, also where HDF5 crashes on it.
 void writeResultPage(const fs::path& result, const fs::path& output, const ReportOptions& options) {
   const OutputClaim claim(output, options.force);
-  constexpr unsigned long drawing_s = 20;  // pictures, in a build with sanitizers too
+  Allowance allowance = allowanceFor(result);
+  allowance.processor_s += 20;  // drawing pictures, in a build with sanitizers too
   try {
     writePageApart(
         output,
@@ -50,7 +51,7 @@ void writeResultPage(const fs::path& result, const fs::path& output, const Repor
           return pageText(
               resultPage(result, program(), options.video.empty() ? "" : videoUri(options.video)));
         },
-        patience_s(result) + drawing_s);
+        allowance);
   } catch (const LostApart& lost) {
     throw InputError(inFile(result), std::string("a damaged file (") + lost.what() + ")");
   }
@@ -156,8 +157,7 @@ int reportFolder(const ReportOptions& options) {
     entries.push_back(reportOne(result, table, options));
   }
   const std::string name = fs::canonical(options.input).filename().string();
-  writePageApart(
-      table, [&] { return pageText(folderPage(name, program(), entries)); }, 60);
+  writePageApart(table, [&] { return pageText(folderPage(name, program(), entries)); }, {.processor_s = 60});
   for (const FolderEntry& entry : entries)
     if (!entry.problem.empty()) std::cout << "no page: " << entry.name << ": " << entry.problem << "\n";
   std::cout << "page: " << table.string() << "\n";
@@ -206,8 +206,12 @@ Verb addReport(Command app) {
   return {command, [options] {
             std::error_code ignored;
             const ReportOptions resolved = sweepOf(*options);
-            return fs::is_directory(resolved.input, ignored) ? reportFolder(resolved)
-                                                             : reportResult(resolved);
+            try {
+              return fs::is_directory(resolved.input, ignored) ? reportFolder(resolved)
+                                                               : reportResult(resolved);
+            } catch (const Interrupted&) {
+              return stopped();
+            }
           }};
 }
 

@@ -22,7 +22,8 @@ struct Wing {
 };
 
 const std::vector<Wing> kWings = {
-    {"ground", {{"base", {}}, {"text", {"base"}}, {"files", {"base"}}, {"process", {"base", "files"}}}},
+    {"ground",
+     {{"base", {}}, {"files", {"base"}}, {"text", {"base", "files"}}, {"process", {"base", "files"}}}},
     {"simulation",
      {{"law", {}},
       {"scenario", {"law"}},
@@ -51,7 +52,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"law", {"text"}},
     {"scenario", {"base", "text"}},
     {"motion", {"base", "text"}},
-    {"mesh", {"base"}},
+    {"mesh", {"base", "files"}},
     {"scene", {"base"}},
     {"contact", {"base"}},
     {"engine", {"base"}},
@@ -64,7 +65,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"compare", {"base", "text", "scenario", "store"}},
     {"render", {"base", "scenario"}},
     {"picture", {"base", "text", "files", "process", "scenario", "store"}},
-    {"report", {"base", "text", "scenario", "store", "table", "measure", "compare"}},
+    {"report", {"base", "text", "files", "scenario", "store", "table", "measure", "compare"}},
     // What a worker does of a sweep knows neither fits nor Slurm nor how results are stored.
     {"task", {"base", "text", "law", "scenario", "measure"}},
     {"fit", {"base", "text", "law", "scenario", "store"}},

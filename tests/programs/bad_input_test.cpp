@@ -113,6 +113,37 @@ TEST(BadFile, PipeAsScenario) {
   expectRefused(runFissure(folder, {"validate", "s.yaml"}), "no regular file");
 }
 
+TEST(BadFile, PipesAndDevicesAsOtherInputs) {
+  const Folder folder;
+  ASSERT_EQ(runTool(folder, {"mkfifo", "pipe"}).code, 0);
+  for (const char* file : {"pipe", "/dev/zero"}) {
+    for (const char* verb : {"fit", "info", "report", "export", "salvage"})
+      expectRefused(runFissure(folder, {verb, file}), std::string(file) + ": is no regular file");
+    expectRefused(runFissure(folder, {"render", file, "-o", "d"}),
+                  std::string(file) + ": is no regular file");
+    expectRefused(runFissure(folder, {"compare", file, file}), "is no regular file");
+  }
+  expectRefused(runFissure(folder, {"validate", "/proc/kmsg"}), "/proc/kmsg:1: empty");
+}
+
+TEST(BadFile, NamesTooLongForWhatIsMadeBesideTheResult) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  expectRefused(runFissure(folder, {"run", "s.yaml", "-o", std::string(241, 'a') + ".h5"}),
+                "has a name of 244 bytes, expected at most ");
+  EXPECT_EQ(folder.names(), std::vector<std::string>{"s.yaml"});
+}
+
+TEST(BadFile, TooFewDescriptorsAreNoFullDisk) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  const Outcome outcome = runTool(
+      folder,
+      {"sh", "-c", "exec 3>&- 4>&-; ulimit -n 5; exec " + fissureProgram() + " run s.yaml -o out.h5"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("Too many open files"), std::string::npos) << outcome.err;
+}
+
 TEST(BadFile, SurfaceWithAHole) {
   const Folder folder;
   folder.write("s.yaml",

@@ -155,7 +155,7 @@ TEST(Fit, BadInputIsOneLine) {
   expectRefused(
       {example, "--result", "few.csv"},
       "few.csv: not an HDF5 file, expected a fissure result (cannot open: file signature not found)");
-  expectRefused({example, "--sweep", "."}, "./sweep.h5: no such file");
+  expectRefused({example, "--sweep", "."}, "./sweep.h5: no such file, expected a fissure sweep");
 }
 
 /// A blade pressed in and its force by Hunt and Crossley's law with k = 200, lambda = 50, n = 1.3.

@@ -175,7 +175,7 @@ TEST(Render, RefusesBadInput) {
       {{"none.h5", "-o", "d"}, "none.h5: no such file"},
       {{"text.h5", "-o", "d"}, "text.h5: not an HDF5 file, expected a fissure result"},
       {{"cut.h5", "-o", "d"}, "cut.h5: a damaged or truncated HDF5 file"},
-      {{".", "-o", "d"}, ".: not a file"},
+      {{".", "-o", "d"}, ".: is a folder"},
       {{"bare.h5", "-o", "d"},
        "bare.h5: run fukuhara holds no snapshots to draw, expected a scenario with record: {snap"},
       {{"r.h5"}, "expected -o DIR for pictures, --video FILE, or both"},

@@ -235,7 +235,7 @@ TEST(Salvage, RefusesWhatItCannotUse) {
   ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "whole.h5", "--set", "time.duration_s=0.01"}).code, 0);
   expectRefused(folder, {"salvage", fs::relative(part, folder.path()).string()}, "0.part: ");
   expectRefused(folder, {"salvage", "none.part"}, "none.part: no such file");
-  expectRefused(folder, {"salvage", "."}, ".: not a file, expected a fissure result");
+  expectRefused(folder, {"salvage", "."}, ".: is a folder, expected a fissure result");
   expectRefused(folder, {"salvage", "text.part"}, "text.part: not an HDF5 file");
   expectRefused(folder, {"salvage", "empty.part"}, "empty.part: not an HDF5 file");
   expectRefused(folder, {"salvage", "whole.h5"}, "whole.h5: a result, expected the part file of one run");

@@ -32,6 +32,18 @@ TEST(Verbs, HelpAndVersionAreGood) {
   }
 }
 
+TEST(Verbs, WhatCannotBePrintedIsNoSuccess) {
+  const Folder folder;
+  folder.write("s.yaml", pressScenario());
+  for (const std::string words :
+       {"--help", "--version", "list", "plan s.yaml", "validate s.yaml", "run s.yaml"}) {
+    const Outcome outcome = runTool(folder, {"sh", "-c", fissureProgram() + " " + words + " > /dev/full"});
+    EXPECT_EQ(outcome.code, 3) << words;
+    EXPECT_NE(outcome.err.find("standard output: cannot write"), std::string::npos) << words << outcome.err;
+  }
+  EXPECT_EQ(runTool(folder, {"sh", "-c", engineWorkerProgram() + " --help > /dev/full"}).code, 3);
+}
+
 TEST(Verbs, ListNamesTheWholeCatalog) {
   const Folder folder;
   const std::string out = runFissure(folder, {"list"}).out;

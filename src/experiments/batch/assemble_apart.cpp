@@ -12,17 +12,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-unsigned long patienceFor_s(const std::vector<PartResult>& parts) {
-  unsigned long sum_s = 1;
-  for (const PartResult& result : parts) sum_s += result.part ? patience_s(*result.part) : 1;
-  return sum_s;
+Allowance allowanceForAll(const std::vector<PartResult>& parts) {
+  Allowance sum{.processor_s = 1, .stoppable = false};
+  for (const PartResult& result : parts) {
+    const Allowance part = result.part ? allowanceFor(*result.part) : Allowance{.processor_s = 1};
+    sum.processor_s += part.processor_s;
+    sum.memory_bytes += part.memory_bytes;
+  }
+  return sum;
 }
 
 /// `assemble` writes `output` from `parts`; nothing half written stays behind.
 void writeApart(const fs::path& output, const std::vector<PartResult>& parts,
                 const std::function<void()>& assemble) {
   try {
-    doApart(assemble, patienceFor_s(parts));
+    doApart(assemble, allowanceForAll(parts));
   } catch (const LostApart& lost) {
     removeHalfWritten(output, lost.process());
     throw;

@@ -1,11 +1,11 @@
 #include "batch/experiment.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include "base/error.h"
 #include "batch/assemble_apart.h"
 #include "batch/engine_program.h"
+#include "files/write_file.h"
 #include "process/apart.h"
 #include "store/salvage.h"
 
@@ -21,12 +21,6 @@ void refuseInputsAsOutput(const LoadedScenario& loaded, const fs::path& output) 
     if (fs::equivalent(input, output, missing))
       throw InputError(inFile(output), "is an input of the scenario, expected another name for the result");
   }
-}
-
-void writeText(const fs::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  if (!stream.flush()) throw RunError(file.string() + ": cannot write, is the disk full?");
 }
 
 /// Where the part of a run into `output` is kept when the run does not end.
@@ -56,7 +50,7 @@ std::string without(std::string text, const fs::path& folder) {
 /// What a worker that ended well says about its run.
 RunStatus statusIn(const fs::path& part, const std::string& name) {
   try {
-    tryReading(part, [&] { inspectPart(part); });
+    tryReadingOwn(part, [&] { inspectPart(part); });
     for (const PipelineResult& result : readResultInfo(part).pipelines)
       if (result.name == name && (result.status.end == RunEnd::ok || result.status.end == RunEnd::non_finite))
         return result.status;
@@ -78,7 +72,7 @@ Experiment::Experiment(CheckedScenario checked, const fs::path& output, const Ou
   if (keep_parts_ && !rules.replace) refuseKeptParts(checked_.loaded.scenario, output);
   input_hashes_ = inputHashes(checked_.loaded);
   slot_ = std::make_unique<OutputSlot>(output, rules.replace);
-  writeText(resolvedFile(), checked_.loaded.resolved);
+  writeFile(resolvedFile(), checked_.loaded.resolved);
   for (const PipelineSettings& pipeline : checked_.loaded.scenario.pipelines)
     results_.push_back({pipeline, {}, {}});
 }
@@ -192,7 +186,7 @@ void Experiment::keepUnder(const fs::path& kept, std::size_t index) {
   const fs::path part = partOf(index);
   try {
     if (!fs::exists(part)) throw RunError("nothing was written");
-    tryReading(part, [&] { inspectPart(part); });
+    tryReadingOwn(part, [&] { inspectPart(part); });
     inspectPart(part);
     fs::rename(part, kept);
     kept_parts_.push_back(kept);

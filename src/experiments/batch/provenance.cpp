@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "base/hash.h"
 #include "batch/build_info.h"
+#include "files/input_file.h"
 
 namespace fissure {
 
@@ -73,13 +74,10 @@ std::string seconds(double value) {
 
 }  // namespace
 
-std::optional<std::string> fileHash(const fs::path& file) {
-  std::error_code error;
-  const auto size = fs::file_size(file, error);
-  std::string bytes(error ? 0 : size, '\0');
-  std::ifstream stream(file, std::ios::binary);
-  if (error || !stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()))) return std::nullopt;
-  return "fnv1a64:" + fnv1a64(bytes);
+std::optional<std::string> fileHash(const fs::path& file) try {
+  return "fnv1a64:" + fnv1a64(readInputFile(file, "a file"));
+} catch (const InputError&) {
+  return std::nullopt;
 }
 
 std::string inputHashes(const LoadedScenario& loaded) {

@@ -229,6 +229,9 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   prepared.scene = sceneOf(checked, files);
   for (const SceneTool& tool : prepared.scene.tools) checkTool(checked, tool);
   prepared.motions = makeMotions(scenario);
+  for (std::size_t t = 0; t < prepared.motions.size(); ++t)
+    for (const std::string& note : prepared.motions[t]->notes())
+      checked.notes.push_back("tools." + scenario.tools[t].name + ".motion: " + note);
   checked.duration_s = scenario.time.duration_s.value_or(prepared.longestMotion_s());
   const double steps = stepsToCover(checked.duration_s, scenario.time.step_s);
   if (!(steps <= max_steps))

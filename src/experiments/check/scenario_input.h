@@ -39,8 +39,8 @@ struct CheckedScenario {
   LoadedScenario loaded;   ///< with the selection applied; `resolved` says so too
   double duration_s = 0;   ///< from time zero, also where the scenario leaves it to its motions
   std::int64_t steps = 0;  ///< recorded ones
-  /// What is odd about surfaces from files and was repaired of them, a line each:
-  /// "bodies.liver.shape: 57 sliver triangles (...)".
+  /// What is odd about surfaces from files, what was repaired of them, and what is odd about logs, a line
+  /// each: "bodies.liver.shape: 57 sliver triangles (...)".
   std::vector<std::string> notes;
   PreparedScenario prepared;  ///< with nodes where any of the pipelines uses them
 };

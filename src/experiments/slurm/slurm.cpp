@@ -8,7 +8,6 @@
 #include <cctype>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 #include <map>
 #include <sstream>
 #include <string_view>
@@ -18,6 +17,7 @@
 #include "process/system_program.h"
 #include "slurm/slurm_scripts.h"
 #include "text/scalars.h"
+#include "text/text_file.h"
 
 namespace fissure {
 
@@ -184,8 +184,10 @@ void recordJob(const fs::path& folder, const SlurmJob& job) {
 
 std::vector<SlurmJob> recordedJobs(const fs::path& folder) {
   std::vector<SlurmJob> jobs;
-  std::ifstream stream(jobsFile(folder));
-  for (std::string line; std::getline(stream, line);) {
+  std::error_code ignored;
+  if (!fs::exists(jobsFile(folder), ignored)) return jobs;
+  std::istringstream lines(readTextFile(jobsFile(folder)));
+  for (std::string line; std::getline(lines, line);) {
     SlurmJob job;
     std::istringstream(line) >> job.id >> job.what;
     if (!job.id.empty() && job.id.find_first_not_of("0123456789") == std::string::npos)

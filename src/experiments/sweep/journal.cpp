@@ -155,7 +155,8 @@ void JournalWriter::sync(double every_s) {
 Journals::Journals(const fs::path& folder) {
   std::error_code ignored;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".journal") files_.push_back(entry.path());
+    if (entry.path().extension() == ".journal" && entry.is_regular_file(ignored))
+      files_.push_back(entry.path());
   std::sort(files_.begin(), files_.end());
 }
 

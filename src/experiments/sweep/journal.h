@@ -23,7 +23,7 @@ class JournalWriter {
   JournalWriter(const JournalWriter&) = delete;
   JournalWriter& operator=(const JournalWriter&) = delete;
 
-  /// Throws RunError ("is the disk full?"); what came before stays whole then.
+  /// Throws RunError with the system's reason; what came before stays whole then.
   void append(const std::string& record);
   /// Makes what was appended survive a loss of power; does nothing when that was done less than `every_s`
   /// ago.

@@ -322,7 +322,7 @@ std::string plainValue(const std::string& yaml) {
 
 SweepSettings loadSweep(const std::filesystem::path& file) {
   SweepSettings sweep;
-  sweep.source = readTextFile(file);
+  sweep.source = readYamlFile(file);
   const YamlNode root = parseYaml(sweep.source, inFile(file, 1));
   if (root.kind == YamlNode::Kind::nothing) failAt(inFile(file, 1), "empty, expected a sweep");
   readValue(root, "", sweep);

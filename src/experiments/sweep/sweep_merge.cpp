@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
 #include <span>
 #include <unordered_map>
 
 #include "base/error.h"
+#include "files/write_file.h"
 #include "measure/statistics.h"
 #include "sweep/sweep_misfit.h"
 #include "table/sweep_csv.h"
@@ -124,9 +124,7 @@ std::optional<SweepMisfit> misfitOf(const SweepPlan& plan, const std::filesystem
   const SweepManifest& manifest = plan.manifest();
   if (!manifest.settings.fit) return std::nullopt;
   const std::filesystem::path copy = work / std::filesystem::path(manifest.settings.fit->curve).filename();
-  std::ofstream stream(copy, std::ios::binary);
-  stream << manifest.measured;
-  if (!stream.flush()) throw RunError(copy.string() + ": cannot write, is the disk full?");
+  writeFile(copy, manifest.measured);
   std::vector<std::string> laws;
   for (const ForceSettings& law : plan.base().scenario.force) laws.push_back(law.name);
   return SweepMisfit(*manifest.settings.fit, laws, copy);

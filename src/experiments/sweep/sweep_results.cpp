@@ -13,7 +13,7 @@ namespace fs = std::filesystem;
 
 bool canBeRead(const fs::path& file) {
   try {
-    tryReading(file, [&] {
+    tryReadingOwn(file, [&] {
       if (!readResultInfo(file).complete) throw InputError("not complete");
     });
     return true;

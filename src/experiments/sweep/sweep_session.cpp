@@ -4,13 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 #include "base/error.h"
 #include "batch/assemble_apart.h"
 #include "batch/engine_program.h"
 #include "batch/provenance.h"
+#include "files/input_file.h"
+#include "files/write_file.h"
 #include "sweep/sweep_planning.h"
 #include "sweep/sweep_state.h"
 #include "text/scalars.h"
@@ -38,11 +39,10 @@ std::string stampText(const fs::path& file) {
   return std::to_string(stamp.bytes) + " " + std::to_string(stamp.time);
 }
 
-std::string bytesOf(const fs::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) throw RunError("the worker left no record");
-  return bytes;
+std::string bytesOf(const fs::path& file) try {
+  return readInputFile(file, "a record");
+} catch (const InputError&) {
+  throw RunError("the worker left no record");
 }
 
 }  // namespace
@@ -96,9 +96,7 @@ WorkerTask SweepSession::workerTask(std::size_t task) const {
   const SweepTask& of = plan_.tasks()[tasks_[task]];
   const SweepLimits& limits = plan_.manifest().settings.limits;
   const fs::path order = work(task, ".order");
-  std::ofstream stream(order, std::ios::binary);
-  stream << orderText(orderOf(plan_, of));
-  if (!stream.flush()) throw RunError(order.string() + ": cannot write, is the disk full?");
+  writeFile(order, orderText(orderOf(plan_, of)));
   WorkerTask worker{engineProgram(plan_.precision(of)),
                     {"--order", order.string(), "--record", work(task, ".record").string()},
                     limits.time_s.value_or(plan_.entry(of.entry).time_limit_s),

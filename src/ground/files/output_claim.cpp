@@ -1,5 +1,7 @@
 #include "files/output_claim.h"
 
+#include <climits>
+
 #include "base/error.h"
 
 namespace fissure {
@@ -7,6 +9,10 @@ namespace fissure {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Beside `result.h5` come `.result.h5.XXXXXX`, `result.interrupted.h5` and what TemporaryFile::nameFor()
+/// makes of that, up to `.4194304.1000.tmp`.
+constexpr std::size_t longest_name = NAME_MAX - sizeof ".interrupted" - sizeof ".4194304.1000.tmp";
 
 [[noreturn]] void refuse(const fs::path& path, const std::string& reason) {
   throw InputError(inFile(path), reason);
@@ -20,6 +26,11 @@ fs::path hiddenBeside(const fs::path& output, const std::string& ending) {
 }
 
 void refuseExisting(const fs::path& output, bool replace) {
+  const std::size_t bytes = output.filename().string().size();
+  if (bytes > longest_name)
+    refuse(output, "has a name of " + std::to_string(bytes) + " bytes, expected at most " +
+                       std::to_string(longest_name) +
+                       ", as the files that are made beside it have longer ones");
   std::error_code ignored;  // what cannot be looked at cannot be written either, and is said then
   const fs::file_status status = fs::status(output, ignored);
   if (!fs::exists(status)) return;

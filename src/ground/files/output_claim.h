@@ -9,7 +9,7 @@
 namespace fissure {
 
 /// Throws InputError when something stands at `output` that is no regular file, or that is one and `replace`
-/// is false.
+/// is false, and when its name leaves no room for those of files that are made beside it.
 void refuseExisting(const std::filesystem::path& output, bool replace);
 
 /// The right to write one result file: it can be written there, and nobody else is writing it.

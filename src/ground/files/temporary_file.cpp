@@ -6,9 +6,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <memory>
 
 #include "base/error.h"
+#include "files/write_file.h"
 
 namespace fissure {
 
@@ -57,10 +57,7 @@ TemporaryFile::~TemporaryFile() {
 }
 
 void TemporaryFile::write(const std::string& text) const {
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> stream(std::fopen(path_.c_str(), "wbe"), std::fclose);
-  if (!stream || std::fwrite(text.data(), 1, text.size(), stream.get()) != text.size() ||
-      std::fclose(stream.release()) != 0)
-    failSystem("cannot write");
+  if (!tryWritingFile(path_, text)) failSystem("cannot write");
 }
 
 void TemporaryFile::commit() {

@@ -1,6 +1,7 @@
 #include "process/apart.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -12,9 +13,13 @@
 #include <cstdint>
 #include <cstring>
 #include <exception>
+#include <fstream>
+#include <new>
+#include <optional>
 #include <string>
 
 #include "files/descriptor.h"
+#include "process/interrupt.h"
 
 namespace fissure {
 
@@ -55,19 +60,33 @@ std::string outcomeOf(const std::function<void()>& work) {
     work();
   } catch (const InputError& error) {
     return bad_input + packed(error);
+  } catch (const std::bad_alloc&) {
+    return failed + std::string("reading it takes more memory than a file of its size should");
   } catch (const std::exception& error) {
     return failed + std::string(error.what());
   }
   return {done};
 }
 
-[[noreturn]] void workAndEnd(const std::function<void()>& work, unsigned long most_s, pid_t front, int to) {
+void limit(int resource, rlim_t most) {
+  const rlimit limits = {most, most};
+  ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
+}
+
+/// Of this process; 0 where the system does not say.
+std::uint64_t addressSpace_bytes() {
+  std::uint64_t pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+}
+
+[[noreturn]] void workAndEnd(const std::function<void()>& work, const Allowance& allowance, pid_t front,
+                             int to) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != front) ::_exit(1);  // it died before the line above
-  const rlimit limits = {most_s, most_s};
-  const rlimit no_core = {0, 0};
-  ::setrlimit(RLIMIT_CPU, &limits);
-  ::setrlimit(RLIMIT_CORE, &no_core);
+  limit(RLIMIT_CPU, allowance.processor_s);
+  limit(RLIMIT_CORE, 0);
+  if (allowance.memory_bytes > 0) limit(RLIMIT_AS, addressSpace_bytes() + allowance.memory_bytes);
   // What a crash has to say (a sanitizer's report, HDF5's complaints at its end) is no line of ours.
   const int nowhere = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   if (nowhere >= 0) ::dup2(nowhere, STDERR_FILENO);
@@ -76,53 +95,101 @@ std::string outcomeOf(const std::function<void()>& work) {
   ::_exit(written == static_cast<ssize_t>(outcome.size()) ? 0 : 1);
 }
 
-std::string readAll(int from) {
+/// A child of this process, killed unless it has been waited for.
+class Child {
+ public:
+  explicit Child(pid_t process) : process_(process) {}
+  ~Child() {
+    if (process_ < 0) return;
+    ::kill(process_, SIGKILL);
+    wait();
+  }
+  Child(const Child&) = delete;
+  Child& operator=(const Child&) = delete;
+
+  int wait() {
+    int status = 0;
+    while (::waitpid(process_, &status, 0) < 0 && errno == EINTR) {
+    }
+    process_ = -1;
+    return status;
+  }
+
+ private:
+  pid_t process_;
+};
+
+/// What comes from `from` until it ends; no value: not within `most_s`. Throws Interrupted when `requests`
+/// (-1: none) becomes readable.
+std::optional<std::string> listen(int from, int requests, unsigned long most_s) {
+  constexpr unsigned long slices_a_second = 10;
   std::string text;
-  std::array<char, 4096> bytes{};
-  for (;;) {
+  std::array<pollfd, 2> polled = {{{from, POLLIN, 0}, {requests, POLLIN, 0}}};
+  // Waited in slices, so that the time in which a terminal has stopped both processes (Ctrl-Z) does not
+  // count.
+  for (unsigned long slice = 0; slice < slices_a_second * most_s; ++slice) {
+    ::poll(polled.data(), polled.size(), static_cast<int>(1000 / slices_a_second));
+    if (polled[1].revents != 0) throw Interrupted();
+    if (polled[0].revents == 0) continue;
+    std::array<char, 4096> bytes{};
     const ssize_t count = ::read(from, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return text;
     text.append(bytes.data(), static_cast<std::size_t>(count));
   }
+  return std::nullopt;
+}
+
+void tryWith(const std::filesystem::path& file, const std::function<void()>& read,
+             const Allowance& allowance) {
+  try {
+    doApart(read, allowance);
+  } catch (const RunError& error) {
+    throw InputError(inFile(file), std::string("a damaged file (") + error.what() + ")");
+  }
 }
 
 }  // namespace
 
-void doApart(const std::function<void()>& work, unsigned long most_s) {
+void doApart(const std::function<void()>& work, const Allowance& allowance) {
   std::array<int, 2> ends{};
   if (::pipe2(ends.data(), O_CLOEXEC) != 0)
     throw RunError(std::string("cannot make a pipe: ") + std::strerror(errno));
   const Descriptor from(ends[0]);
   Descriptor to(ends[1]);
+  const Descriptor requests = allowance.stoppable ? heldBackRequests() : Descriptor();
   const pid_t front = ::getpid();
   const pid_t process = ::fork();
   if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
-  if (process == 0) workAndEnd(work, most_s, front, to.number());
+  if (process == 0) workAndEnd(work, allowance, front, to.number());
+  Child child(process);
   to = Descriptor();
-  const std::string outcome = readAll(from.number());
-  int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) {
-  }
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || outcome.empty()) throw LostApart(process);
-  if (outcome.front() == bad_input) throw unpacked(outcome.substr(1));
-  if (outcome.front() == failed) throw RunError(outcome.substr(1));
+  const unsigned long most_s = allowance.waiting_s + 10 * allowance.processor_s;
+  const std::optional<std::string> outcome = listen(from.number(), requests.number(), most_s);
+  if (!outcome) throw LostApart(process);
+  const int status = child.wait();
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || outcome->empty()) throw LostApart(process);
+  if (outcome->front() == bad_input) throw unpacked(outcome->substr(1));
+  if (outcome->front() == failed) throw RunError(outcome->substr(1));
 }
 
-unsigned long patience_s(const std::filesystem::path& file) {
-  constexpr unsigned long at_least_s = 3;
-  constexpr unsigned long megabyte = 1000000;
+Allowance allowanceFor(const std::filesystem::path& file) {
+  constexpr std::uintmax_t megabyte = 1000000;
   std::error_code missing;
-  const std::uintmax_t bytes = std::filesystem::file_size(file, missing);
-  return missing ? at_least_s : at_least_s + bytes / megabyte;
+  const std::uintmax_t found = std::filesystem::file_size(file, missing);
+  const std::uintmax_t bytes = missing ? 0 : found;
+  return {.processor_s = 3 + static_cast<unsigned long>(bytes / megabyte),
+          .memory_bytes = (std::uint64_t{2} << 30) + 32 * bytes};
 }
 
 void tryReading(const std::filesystem::path& file, const std::function<void()>& read) {
-  try {
-    doApart(read, patience_s(file));
-  } catch (const RunError& error) {
-    throw InputError(inFile(file), std::string("a damaged file (") + error.what() + ")");
-  }
+  tryWith(file, read, allowanceFor(file));
+}
+
+void tryReadingOwn(const std::filesystem::path& file, const std::function<void()>& read) {
+  Allowance allowance = allowanceFor(file);
+  allowance.stoppable = false;
+  tryWith(file, read, allowance);
 }
 
 }  // namespace fissure

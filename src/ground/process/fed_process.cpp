@@ -24,11 +24,12 @@ struct Ready {
   bool stop = false;
 };
 
-/// Waits until one of them is; those that are -1 never are. A closed one is ready: using it tells.
-Ready waitFor(int input, int output, int errors, int stop) {
+/// Waits until one of them is, `most_s` at most; those that are -1 never are. A closed one is ready: using it
+/// tells.
+Ready waitFor(int input, int output, int errors, int stop, int most_s) {
   std::array<pollfd, 4> polled = {
       {{input, POLLOUT, 0}, {output, POLLIN, 0}, {errors, POLLIN, 0}, {stop, POLLIN, 0}}};
-  while (::poll(polled.data(), polled.size(), -1) < 0 && errno == EINTR) {
+  while (::poll(polled.data(), polled.size(), 1000 * most_s) < 0 && errno == EINTR) {
   }
   return {polled[0].revents != 0, polled[1].revents != 0, polled[2].revents != 0, polled[3].revents != 0};
 }
@@ -48,8 +49,8 @@ std::optional<std::filesystem::path> programOnPath(const std::string& name) {
 }
 
 FedProcess::FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                       int stop_descriptor)
-    : name_(program.filename().string()), stop_descriptor_(stop_descriptor) {
+                       int stop_descriptor, int most_idle_s)
+    : name_(program.filename().string()), stop_descriptor_(stop_descriptor), most_idle_s_(most_idle_s) {
   SpawnedProcess spawned = spawn({.program = program, .arguments = arguments, .fed = true});
   process_ = spawned.process;
   input_ = std::move(spawned.input);
@@ -79,8 +80,10 @@ void FedProcess::takeError(std::string_view line) {
 }
 
 void FedProcess::wait(bool writing) {
-  const Ready ready =
-      waitFor(writing ? input_.number() : -1, output_.number(), errors_.number(), stop_descriptor_);
+  const Ready ready = waitFor(writing ? input_.number() : -1, output_.number(), errors_.number(),
+                              stop_descriptor_, most_idle_s_);
+  if (!ready.input && !ready.output && !ready.errors && !ready.stop)
+    throw RunError(name_ + ": took and said nothing for " + std::to_string(most_idle_s_) + " s");
   if (ready.stop) throw RunError(name_ + ": stopped");
   if (ready.output) listen(output_, false);
   if (ready.errors) listen(errors_, true);

@@ -24,10 +24,11 @@ std::optional<std::filesystem::path> programOnPath(const std::string& name);
 class FedProcess {
  public:
   /// Starts the program, without a shell. Whoever waits for it in write() or finish() gives up when
-  /// `stop_descriptor` becomes readable (-1: never). Throws RunError when the system cannot; call from the
+  /// `stop_descriptor` becomes readable (-1: never), or when the program has neither taken nor said anything
+  /// for `most_idle_s` seconds. Throws RunError when the system cannot; call from the
   /// process's main thread, as for Worker.
   FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-             int stop_descriptor);
+             int stop_descriptor, int most_idle_s = 300);
   ~FedProcess();  ///< kills it when it still runs
   FedProcess(const FedProcess&) = delete;
   FedProcess& operator=(const FedProcess&) = delete;
@@ -50,6 +51,7 @@ class FedProcess {
 
   std::string name_;
   int stop_descriptor_ = -1;
+  int most_idle_s_ = 0;
   pid_t process_ = -1;
   Descriptor input_;
   Descriptor output_;

@@ -11,7 +11,10 @@
 
 namespace fissure {
 
-Interrupt::Interrupt() {
+namespace {
+
+/// Those signals that ask a process to stop, without the ones it ignores.
+sigset_t requestsHeard() {
   sigset_t requests;
   sigemptyset(&requests);
   for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
@@ -19,8 +22,29 @@ Interrupt::Interrupt() {
     sigaction(number, nullptr, &action);
     if (action.sa_handler != SIG_IGN) sigaddset(&requests, number);
   }
-  descriptor_ = Descriptor(::signalfd(-1, &requests, SFD_NONBLOCK | SFD_CLOEXEC));
-  if (!descriptor_.open()) throw RunError(std::string("cannot watch signals: ") + std::strerror(errno));
+  return requests;
+}
+
+Descriptor watch(const sigset_t& requests) {
+  Descriptor watching(::signalfd(-1, &requests, SFD_NONBLOCK | SFD_CLOEXEC));
+  if (!watching.open()) throw RunError(std::string("cannot watch signals: ") + std::strerror(errno));
+  return watching;
+}
+
+}  // namespace
+
+Descriptor heldBackRequests() {
+  sigset_t blocked;
+  sigprocmask(SIG_BLOCK, nullptr, &blocked);
+  const sigset_t heard = requestsHeard();
+  sigset_t held_back;
+  sigandset(&held_back, &heard, &blocked);
+  return watch(held_back);
+}
+
+Interrupt::Interrupt() {
+  const sigset_t requests = requestsHeard();
+  descriptor_ = watch(requests);
   sigprocmask(SIG_BLOCK, &requests, &before_);
 }
 

@@ -1,10 +1,21 @@
 #pragma once
 
 #include <csignal>
+#include <stdexcept>
 
 #include "files/descriptor.h"
 
 namespace fissure {
+
+/// Somebody asked for work to stop that leaves nothing behind when it does.
+class Interrupted : public std::runtime_error {
+ public:
+  Interrupted() : std::runtime_error("interrupted") {}
+};
+
+/// Readable, to poll, when a request waits that an Interrupt holds back and that its owner has not noticed
+/// yet. Throws RunError.
+Descriptor heldBackRequests();
 
 /// While it lives, SIGINT, SIGTERM and SIGHUP no longer end this process but are a request to stop, which the
 /// owner notices when it is ready. Signals that were ignored before (nohup, a background job of a script)

@@ -1,6 +1,6 @@
 #include "process/line_splitter.h"
 
-#include <algorithm>
+#include "base/utf8.h"
 
 namespace fissure {
 
@@ -24,40 +24,15 @@ void LineSplitter::finish(const std::function<void(std::string_view)>& line) {
   started_ = false;
 }
 
-namespace {
-
-/// Length of the valid UTF-8 sequence of two to four bytes that `text` begins with; 0: none (RFC 3629,
-/// section 4).
-std::size_t sequenceLength(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(0);
-  const std::size_t length = first >= 0xC2 && first <= 0xDF   ? 2
-                             : first >= 0xE0 && first <= 0xEF ? 3
-                             : first >= 0xF0 && first <= 0xF4 ? 4
-                                                              : 0;
-  if (length == 0 || text.size() < length) return 0;
-  for (std::size_t i = 1; i < length; ++i)
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  const bool overlong = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-  const bool surrogate = first == 0xED && byte(1) > 0x9F;
-  const bool beyond = first == 0xF4 && byte(1) > 0x8F;
-  return overlong || surrogate || beyond ? 0 : length;
-}
-
-}  // namespace
-
 std::string printableLine(std::string_view text) {
   std::string line;
   line.reserve(text.size());
   while (!text.empty()) {
-    const unsigned char first = static_cast<unsigned char>(text.front());
-    const bool ascii = first >= 0x20 && first < 0x7F;
-    const std::size_t length = ascii ? 1 : first < 0x80 ? 0 : sequenceLength(text);
-    if (length == 0)
-      line += '?';
-    else
-      line += text.substr(0, length);
-    text.remove_prefix(std::max<std::size_t>(length, 1));
+    const Utf8Start start = utf8Start(text);
+    const bool printable = start.isWhole() && !isControl(start.character);
+    const std::size_t taken = start.isWhole() ? start.bytes : 1;
+    line += printable ? text.substr(0, taken) : "?";
+    text.remove_prefix(taken);
   }
   return line;
 }

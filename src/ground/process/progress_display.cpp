@@ -3,11 +3,13 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
 #include <ostream>
 #include <sstream>
+#include <string_view>
 
 namespace fissure {
 
@@ -71,13 +73,22 @@ void ProgressDisplay::show(const std::function<std::string(double elapsed_s)>& m
     stream_ << line << std::endl;
     return;
   }
-  stream_ << "\r\x1b[K" << line.substr(0, columnsOf(descriptor_) - 1) << std::flush;
+  emptyLine();
+  stream_ << line.substr(0, columnsOf(descriptor_) - 1) << std::flush;
   shown_ = true;
 }
 
 void ProgressDisplay::clear() {
-  if (shown_) stream_ << "\r\x1b[K" << std::flush;
+  if (shown_) emptyLine();
   shown_ = false;
+}
+
+// To the terminal itself: the stream lets no text command it.
+void ProgressDisplay::emptyLine() {
+  constexpr std::string_view to_empty = "\r\x1b[K";
+  stream_.flush();
+  while (::write(descriptor_, to_empty.data(), to_empty.size()) < 0 && errno == EINTR) {
+  }
 }
 
 }  // namespace fissure

@@ -29,7 +29,8 @@ std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s)
 /// plain line at most every five seconds.
 class ProgressDisplay {
  public:
-  /// `descriptor`: of the terminal or file behind `stream`, to ask it for its width.
+  /// `descriptor`: of the terminal or file behind `stream`; a terminal is asked for its width and told to
+  /// empty its line.
   ProgressDisplay(std::ostream& stream, int descriptor);
   ~ProgressDisplay() { clear(); }
   ProgressDisplay(const ProgressDisplay&) = delete;
@@ -44,6 +45,8 @@ class ProgressDisplay {
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  void emptyLine();
 
   std::ostream& stream_;
   int descriptor_;

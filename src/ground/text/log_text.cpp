@@ -3,31 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
 #include "base/error.h"
+#include "files/input_file.h"
 
 namespace fissure {
 namespace {
 
 constexpr std::string_view blanks = " \t";
-
-std::string readAll(const std::filesystem::path& file) {
-  std::error_code error;
-  if (!std::filesystem::exists(file, error))
-    throw InputError(inFile(file), "no such file, expected a text file of numbers");
-  if (std::filesystem::is_directory(file, error))
-    throw InputError(inFile(file), "is a folder, expected a text file of numbers");
-  std::ifstream in(file, std::ios::binary);
-  std::string text;
-  std::vector<char> block(1 << 20);
-  while (in.read(block.data(), static_cast<std::streamsize>(block.size())) || in.gcount() > 0)
-    text.append(block.data(), static_cast<std::size_t>(in.gcount()));
-  if (!in.eof()) throw InputError(inFile(file), "cannot be read");
-  return text;
-}
+constexpr std::uintmax_t most_bytes = std::uintmax_t{256} << 20;  // an hour at 1 kHz has 200 MB at most
 
 std::string_view trim(std::string_view cell) {
   const auto first = cell.find_first_not_of(blanks);
@@ -38,7 +23,7 @@ std::string_view trim(std::string_view cell) {
 }  // namespace
 
 std::string readLogText(const std::filesystem::path& file) {
-  std::string text = readAll(file);
+  std::string text = readInputFile(file, "a text file of numbers", most_bytes);
   if (text.find('\0') != std::string::npos)
     throw InputError(inFile(file), "is binary (it holds NUL bytes), expected plain text, UTF-8 or ASCII");
   if (text.starts_with("\xEF\xBB\xBF")) text.erase(0, 3);

@@ -8,8 +8,8 @@
 
 namespace fissure {
 
-/// The whole text of a log, without a byte order mark. Throws InputError when it is missing, unreadable, a
-/// folder or binary.
+/// The whole text of a log, without a byte order mark. Throws InputError when it is missing, unreadable, no
+/// regular file, larger than 256 MiB, or binary.
 std::string readLogText(const std::filesystem::path& file);
 
 /// The texts of logs, each file read once: when it is first asked for.

@@ -1,13 +1,15 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 namespace fissure {
 
-/// The whole of a text file. Throws InputError when it does not exist, is a folder or cannot be read, or is
-/// larger than 64 MiB (then it is no scenario).
-std::string readTextFile(const std::filesystem::path& file);
+/// The whole of a text file. Throws InputError as readInputFile does: about a file that is missing, no
+/// regular file, or larger than `most_bytes`.
+std::string readTextFile(const std::filesystem::path& file,
+                         std::uintmax_t most_bytes = std::uintmax_t{64} << 20);
 
 /// Line, from 1, of the first byte that does not belong in UTF-8 text (control characters other than tab and
 /// line ends do not either); 0 when all is text.

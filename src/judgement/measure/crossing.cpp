@@ -14,7 +14,20 @@ using Cubic = std::array<double, 4>;
 struct Path {
   Vec3 from = Vec3::Zero();
   Vec3 to = Vec3::Zero();
-  Vec3 inverse = Vec3::Zero();  // of to - from; infinite along axes without motion
+};
+
+/// A share of the step, from `enter` to `leave`.
+struct Share {
+  double enter = 0;
+  double leave = 1;
+
+  bool isEmpty() const { return enter > leave; }
+  /// Leaves the part in which a value that goes straight from `before` to `now` is not negative.
+  void keepWhereNotNegative(double before, double now) {
+    if (before < 0 && now < 0) leave = -1;
+    if (before < 0 && now >= 0) enter = std::max(enter, before / (before - now));
+    if (before >= 0 && now < 0) leave = std::min(leave, before / (before - now));
+  }
 };
 
 /// Six times the volume between triangle and point over the step: positive while the point is in front.
@@ -45,18 +58,20 @@ Halves split(const Cubic& c) {  // de Casteljau
   return {{c[0], m01, m012, middle}, {middle, m123, m23, c[3]}};
 }
 
-/// Calls `found(time, downwards)` at every change of sign (positive against not positive), in order of time.
+/// Calls `found(time, downwards)` at every change of sign (positive against not positive) within `share`, in
+/// order of time; `start` and `length`: of the cubic's part of the step.
 template <class Found>
-void findSignChanges(const Cubic& cubic, double start, double length, const Found& found) {
+void findSignChanges(const Cubic& cubic, double start, double length, const Share& share,
+                     const Found& found) {
   const int changes = signChanges(cubic);
-  if (changes == 0) return;
+  if (changes == 0 || start > share.leave || start + length < share.enter) return;
   if (length < 1e-15) {
     if ((cubic[0] > 0) != (cubic[3] > 0)) found(start, cubic[0] > 0);
     return;
   }
   const Halves halves = split(cubic);
-  findSignChanges(halves.left, start, length / 2, found);
-  findSignChanges(halves.right, start + length / 2, length / 2, found);
+  findSignChanges(halves.left, start, length / 2, share, found);
+  findSignChanges(halves.right, start + length / 2, length / 2, share, found);
 }
 
 /// Whether a point in the triangle's plane is in the triangle, with a slack that lets no path slip between
@@ -82,11 +97,11 @@ Vec3 motionAt(const TreeTriangle& before, const TreeTriangle& now, const TreeTri
   return (1 - at_b - at_c) * (now.a - before.a) + at_b * (now.b - before.b) + at_c * (now.c - before.c);
 }
 
-void crossTriangle(const TreeTriangle& before, const TreeTriangle& now, const Path& path,
+/// Within `share` of the step.
+void crossTriangle(const TreeTriangle& before, const TreeTriangle& now, const Path& path, const Share& share,
                    std::vector<Crossing>& crossings) {
   const Cubic volume = volumeOverStep(before, now, path);
-  if (signChanges(volume) == 0) return;
-  findSignChanges(volume, 0.0, 1.0, [&](double time, bool downwards) {
+  findSignChanges(volume, 0.0, 1.0, share, [&](double time, bool downwards) {
     const TreeTriangle met = between(before, now, time);
     const Vec3 normal = met.doubleAreaNormal();
     const Vec3 point = path.from + time * (path.to - path.from);
@@ -96,37 +111,77 @@ void crossTriangle(const TreeTriangle& before, const TreeTriangle& now, const Pa
   });
 }
 
-bool touches(const TreeBox& box, const Path& path) {
-  double enter = 0, leave = 1;
-  for (int axis = 0; axis < 3; ++axis) {
-    const double from = path.from[axis], to = path.to[axis];
-    if (std::max(from, to) < box.low[axis] || std::min(from, to) > box.high[axis]) return false;
-    if (from == to) continue;
-    const double one = (box.low[axis] - from) * path.inverse[axis];
-    const double other = (box.high[axis] - from) * path.inverse[axis];
-    enter = std::max(enter, std::min(one, other));
-    leave = std::min(leave, std::max(one, other));
-  }
-  return enter <= leave + 1e-12;  // rounding of the two times
+TreeBox boxOf(const TreeTriangle& t) {
+  return {t.a.cwiseMin(t.b).cwiseMin(t.c), t.a.cwiseMax(t.b).cwiseMax(t.c)};
 }
+
+/// When the point may be within `slack_m` of what moves straight from the one box into the other: it then
+/// stays in a box whose sides go straight too. A box around all of the way would hold far more: tissue that
+/// is thrown goes many times its triangles' size in a step.
+Share meeting(const TreeBox& before, const TreeBox& now, const Path& path, double slack_m) {
+  Share share;
+  for (int axis = 0; axis < 3 && !share.isEmpty(); ++axis) {
+    share.keepWhereNotNegative(path.from[axis] - before.low[axis] + slack_m,
+                               path.to[axis] - now.low[axis] + slack_m);
+    share.keepWhereNotNegative(before.high[axis] - path.from[axis] + slack_m,
+                               now.high[axis] - path.to[axis] + slack_m);
+  }
+  return share;
+}
+
+/// As a share of the squared distances: the same for the sides of edges.
+constexpr double kSideSlack = 1e-8;
+
+/// Whether the point surely passes the triangle by. Seen along the way that they go against each other, it
+/// would meet the triangle only where it is on the same side of all three edges; here it stays on opposite
+/// sides of two of them, by more than rounding and the slack of isInTriangle.
+bool passesBy(const TreeTriangle& before, const TreeTriangle& now, const Path& path) {
+  const std::array<Vec3, 3> from{before.a - path.from, before.b - path.from, before.c - path.from};
+  const std::array<Vec3, 3> to{now.a - path.to, now.b - path.to, now.c - path.to};
+  const Vec3 way = (to[0] + to[1] + to[2] - from[0] - from[1] - from[2]) / 3;
+  double farthest_m2 = 0;
+  for (std::size_t i = 0; i < 3; ++i)
+    farthest_m2 = std::max({farthest_m2, from[i].squaredNorm(), to[i].squaredNorm()});
+  const double slack = kSideSlack * farthest_m2 * way.norm();
+  bool left = false, right = false;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t k = (i + 1) % 3;
+    const double start = from[i].cross(from[k]).dot(way), end = to[i].cross(to[k]).dot(way);
+    const double middle = (from[i].cross(to[k]) + to[i].cross(from[k])).dot(way) / 2;  // of Bernstein's three
+    left |= std::min({start, middle, end}) > slack;
+    right |= std::max({start, middle, end}) < -slack;
+  }
+  return left && right;
+}
+
+/// As a share of the extent of all that moves: more than rounding and the slack of isInTriangle.
+constexpr double kBoxSlack = 1e-6;
 
 }  // namespace
 
-void findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
-                   std::vector<Crossing>& crossings) {
+std::size_t findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
+                          std::vector<Crossing>& crossings) {
   crossings.clear();
-  const Path path{from, to, (to - from).cwiseInverse()};
+  const Path path{from, to};
+  const TreeBox &before = tree.previousBoxes()[0], &now = tree.boxes()[0];
+  const double slack_m =
+      kBoxSlack * (before.high.cwiseMax(now.high) - before.low.cwiseMin(now.low)).maxCoeff();
   const std::size_t end = tree.nodes().size();
+  std::size_t looked_at = 0;
   for (std::size_t i = 0; i < end;) {
     const TreeNode& node = tree.nodes()[i];
-    if (!touches(tree.sweptBoxes()[i], path)) {
+    if (meeting(tree.previousBoxes()[i], tree.boxes()[i], path, slack_m).isEmpty()) {
       i = static_cast<std::size_t>(node.skip);
       continue;
     }
     ++i;
     for (std::size_t k = 0; k < static_cast<std::size_t>(node.count); ++k) {
       const std::size_t index = static_cast<std::size_t>(node.first) + k;
-      crossTriangle(tree.previous()[index], tree.triangles()[index], path, crossings);
+      const TreeTriangle &earlier = tree.previous()[index], &later = tree.triangles()[index];
+      const Share share = meeting(boxOf(earlier), boxOf(later), path, slack_m);
+      if (share.isEmpty() || passesBy(earlier, later, path)) continue;
+      crossTriangle(earlier, later, path, share, crossings);
+      ++looked_at;
     }
   }
   // At the same time (a path through a sharp edge) leaving comes first: touching an edge is not passing
@@ -134,6 +189,7 @@ void findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
   std::sort(crossings.begin(), crossings.end(), [](const Crossing& one, const Crossing& other) {
     return std::pair(one.time, one.entering) < std::pair(other.time, other.entering);
   });
+  return looked_at;
 }
 
 }  // namespace fissure

@@ -17,8 +17,8 @@ struct Crossing {
 /// Every crossing, in order of time, of a point on the straight way `from` to `to` (tree's frame, metres)
 /// during the last update of the tree, with every vertex going straight from its previous to its present
 /// position meanwhile. A path through an edge is reported by one or by both of its triangles, never by none.
-/// `crossings` is overwritten.
-void findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
-                   std::vector<Crossing>& crossings);
+/// `crossings` is overwritten. Returns how many triangles had to be looked at: what that costs.
+std::size_t findCrossings(const SurfaceTree& tree, const Vec3& from, const Vec3& to,
+                          std::vector<Crossing>& crossings);
 
 }  // namespace fissure

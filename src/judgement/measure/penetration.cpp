@@ -175,7 +175,7 @@ void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
     if (pair.clearances.atLeast_m(i) > 0) continue;
     const Vec3 now = tool.sampleNow(i);
     pair.winding[i] = static_cast<std::int8_t>(std::clamp(windingNumber(surface, now), -100, 100));
-    findCrossings(surface, tool.sampleBefore(i), now, crossings_);
+    crossing_tests_ += static_cast<long long>(findCrossings(surface, tool.sampleBefore(i), now, crossings_));
     if (pair.passage.advance(i, crossings_, pair.isInside(i))) tool.passed[i] = 1;
     look(tool, body_index, i, {.limit_m = pair.horizon_m});
   }

@@ -56,6 +56,8 @@ class PenetrationMeter {
   long long sampleCount() const;
   /// How often the surface was searched around a sample, since the start: what measuring costs.
   long long searches() const { return searches_; }
+  /// How often a sample was looked for crossing a triangle, since the start.
+  long long crossingTests() const { return crossing_tests_; }
   /// The farthest that any point of a tool's surface is from its nearest sample.
   double coverage_m() const;
   /// Triangles of each body that do not bound it from outside, in the last step.
@@ -117,6 +119,7 @@ class PenetrationMeter {
   std::vector<Tool> tools_;
   std::vector<long long> inverted_;  // one a body
   long long searches_ = 0;
+  long long crossing_tests_ = 0;
   bool connected_ = false;  // a measurable step came before
   std::vector<Crossing> crossings_;
 };

@@ -23,7 +23,7 @@ std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);
 std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
 
 /// Where the tools are and how fast they move.
-std::unique_ptr<Probe> makeToolProbe(const Scene& scene);
+std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
 /// What nodes and contacts did, and the reaction.
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene);

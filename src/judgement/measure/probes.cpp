@@ -12,7 +12,7 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
   if (!scene.tools.empty()) {
     probes.push_back(makePenetrationProbe(scene, scenario.measure));
     if (scenario.measure.certify) probes.push_back(makeCertificateProbe(scene));
-    probes.push_back(makeToolProbe(scene));
+    probes.push_back(makeToolProbe(scene, scenario.time.step_s));
     probes.push_back(makeContactProbe(scene));
   } else {
     probes.push_back(makeSoundnessProbe(scene));

@@ -59,7 +59,7 @@ SurfaceTree::SurfaceTree(const TriangleMesh& mesh, const Mat3& to_tree)
   triangles_.resize(faces_.size());
   previous_.resize(faces_.size());
   boxes_.resize(nodes_.size());
-  swept_.resize(nodes_.size());
+  previous_boxes_.resize(nodes_.size());
   update(mesh.vertices_m);
   forgetMotion();
 }
@@ -90,14 +90,14 @@ void SurfaceTree::update(std::span<const Vec3> vertices_m) {
   assert(vertices_m.size() == vertices_.size());
   for (std::size_t i = 0; i < vertices_.size(); ++i) vertices_[i] = to_tree_ * vertices_m[i];
   triangles_.swap(previous_);
-  swept_.swap(boxes_);  // the previous boxes, until refit() joins the present ones
+  boxes_.swap(previous_boxes_);
   gather();
   refit();
 }
 
 void SurfaceTree::forgetMotion() {
   previous_ = triangles_;
-  swept_ = boxes_;
+  previous_boxes_ = boxes_;
 }
 
 void SurfaceTree::gather() {
@@ -117,7 +117,6 @@ void SurfaceTree::refit() {
     } else {
       boxes_[i] = joined(boxes_[i + 1], boxes_[static_cast<std::size_t>(nodes_[i + 1].skip)]);
     }
-    swept_[i] = joined(swept_[i], boxes_[i]);
   }
 }
 

@@ -55,9 +55,9 @@ class SurfaceTree {
 
   const std::vector<TreeNode>& nodes() const { return nodes_; }
   const std::vector<TreeBox>& boxes() const { return boxes_; }  ///< of the present positions, one a node
-  const std::vector<TreeBox>& sweptBoxes() const {
-    return swept_;
-  }  ///< of present and previous positions together
+  const std::vector<TreeBox>& previousBoxes() const {
+    return previous_boxes_;
+  }                                                                          ///< of the previous positions
   const std::vector<TreeTriangle>& triangles() const { return triangles_; }  ///< in the order of the leaves
   const std::vector<TreeTriangle>& previous() const { return previous_; }
   const std::vector<int>& faceIndices() const { return order_; }  ///< in the mesh, of triangles()
@@ -75,7 +75,7 @@ class SurfaceTree {
   std::vector<TreeTriangle> previous_;
   std::vector<TreeNode> nodes_;
   std::vector<TreeBox> boxes_;
-  std::vector<TreeBox> swept_;
+  std::vector<TreeBox> previous_boxes_;
 };
 
 }  // namespace fissure

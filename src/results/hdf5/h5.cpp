@@ -1,8 +1,11 @@
 #include "hdf5/h5.h"
 
 #include <algorithm>
+#include <cmath>
+#include <sstream>
 
 #include "base/error.h"
+#include "files/input_file.h"
 
 namespace fissure::h5 {
 
@@ -27,6 +30,42 @@ std::string innermostReason() {
   }
   std::replace(reason.begin(), reason.end(), '\n', ' ');
   return reason.empty() ? "HDF5 gave no reason" : reason;
+}
+
+/// What `bytes` of a file may hold: deflate makes 1032 bytes of one at most. A killed writer has stated the
+/// last rows of its series before it stored them.
+double mostHeldBy(double bytes) {
+  constexpr double deflate_ratio = 1032, unwritten_bytes = 16 << 20;
+  return deflate_ratio * bytes + unwritten_bytes;
+}
+
+/// Of all values that the dataset states, as they are stored.
+double statedBytes(hid_t dataset, const std::vector<hsize_t>& shape) {
+  const Id type(H5Dget_type(dataset), H5Tclose, "cannot read the type of a dataset");
+  double bytes = static_cast<double>(H5Tget_size(type));
+  for (const hsize_t length : shape) bytes *= static_cast<double>(length);
+  return bytes;
+}
+
+std::vector<hsize_t> statedShape(hid_t dataset) {
+  const Id space(H5Dget_space(dataset), H5Sclose, "cannot read the shape of a dataset");
+  const int rank = check(H5Sget_simple_extent_ndims(space), "cannot read the shape of a dataset");
+  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
+  check(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "cannot read the shape of a dataset");
+  return shape;
+}
+
+/// Those who open files say themselves which file it is.
+void requireRegular(const std::filesystem::path& path) try {
+  requireInputFile(path, "an HDF5 file");
+} catch (const InputError& error) {
+  throw RunError(error.text());
+}
+
+[[noreturn]] void refuseStated(double stated_bytes) {
+  std::ostringstream text;
+  text << "a dataset states " << std::round(stated_bytes / 1e6) << " MB, more than is stored of it";
+  throw RunError(text.str());
 }
 
 // Every file is closed by its owner, and at exit HDF5 crashes on one that damage kept from closing. Only the
@@ -77,6 +116,7 @@ Id accessProperties() {
 }
 
 Id openToRead(const std::filesystem::path& path) {
+  requireRegular(path);
   const Id access = accessProperties();
   // A reader's lock would keep a worker that goes on from finishing its part; results change only by
   // renaming.
@@ -141,12 +181,26 @@ std::vector<std::string> childNames(hid_t group) {
   return names;
 }
 
+double fileBytes(hid_t object) {
+  const Id file(H5Iget_file_id(object), H5Fclose, "cannot read the size of a file");
+  hsize_t bytes = 0;
+  check(H5Fget_filesize(file, &bytes), "cannot read the size of a file");
+  return static_cast<double>(bytes);
+}
+
 std::vector<hsize_t> shapeOf(hid_t dataset) {
-  const Id space(H5Dget_space(dataset), H5Sclose, "cannot read the shape of a dataset");
-  const int rank = check(H5Sget_simple_extent_ndims(space), "cannot read the shape of a dataset");
-  std::vector<hsize_t> shape(static_cast<std::size_t>(rank));
-  check(H5Sget_simple_extent_dims(space, shape.data(), nullptr), "cannot read the shape of a dataset");
+  const std::vector<hsize_t> shape = statedShape(dataset);
+  const double stated_bytes = statedBytes(dataset, shape);
+  if (stated_bytes > mostHeldBy(fileBytes(dataset))) refuseStated(stated_bytes);
   return shape;
+}
+
+void requireStored(hid_t dataset) {
+  const double stated_bytes = statedBytes(dataset, statedShape(dataset));
+  double stored_bytes = fileBytes(dataset);
+  if (!isView(dataset))
+    stored_bytes = std::min(stored_bytes, static_cast<double>(H5Dget_storage_size(dataset)));
+  if (stated_bytes > mostHeldBy(stored_bytes)) refuseStated(stated_bytes);
 }
 
 bool isText(hid_t dataset) {
@@ -192,6 +246,7 @@ void writeText(hid_t group, const std::string& name, const std::string& text) {
 }
 
 std::vector<std::string> readTexts(hid_t dataset) {
+  requireStored(dataset);
   const Id type = textType();
   const Id space(H5Dget_space(dataset), H5Sclose, "cannot read a text");
   const hssize_t count = check(H5Sget_simple_extent_npoints(space), "cannot read a text");

@@ -53,7 +53,8 @@ class Id {
 inline constexpr unsigned tracked_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
 /// File access for every file of ours. HDF5's own error printing is off from here on.
 Id accessProperties();
-/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError.
+/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError, also about what is no regular
+/// file.
 Id openToRead(const std::filesystem::path& path);
 
 /// Links and attributes of the new group keep their order of creation.
@@ -67,7 +68,12 @@ bool exists(hid_t parent, const std::string& name);
 /// Creation properties of a dataset whose attributes keep their order.
 Id datasetProperties();
 std::vector<std::string> childNames(hid_t group);  ///< in order of creation
+/// Throws RunError when the dataset states more values than a file of its size can hold.
 std::vector<hsize_t> shapeOf(hid_t dataset);
+double fileBytes(hid_t object);  ///< size of the file that an object or attribute lies in
+/// Throws RunError when the dataset states more values than are stored of it, before they are all read at
+/// once. A few megabytes that a killed writer had not written yet are no lie.
+void requireStored(hid_t dataset);
 bool isText(hid_t dataset);
 /// "f64", "i64", "u8", "text" ...
 std::string typeName(hid_t dataset);

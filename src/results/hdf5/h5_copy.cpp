@@ -1,3 +1,4 @@
+#include "base/error.h"
 #include "hdf5/h5.h"
 
 namespace fissure::h5 {
@@ -17,6 +18,8 @@ void copyAttribute(hid_t from, hid_t to, const std::string& name) {
   const Id memory = nativeType(type, name);
   const auto count =
       static_cast<std::size_t>(check(H5Sget_simple_extent_npoints(space), "cannot read attribute", name));
+  if (static_cast<double>(count) > fileBytes(source))
+    throw RunError("attribute " + name + " states more values than its file has bytes");
   std::vector<char> values(count * H5Tget_size(memory));
   check(H5Aread(source, memory, values.data()), "cannot read attribute", name);
   removeAttribute(to, name);

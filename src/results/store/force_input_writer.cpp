@@ -107,6 +107,7 @@ void ForceInputWriter::writeData() {
 
 hsize_t observationCount(hid_t force_inputs, hsize_t rows) {
   const h5::Id dataset = h5::openDataset(force_inputs, "row_size");
+  h5::requireStored(dataset);
   std::vector<std::int64_t> sizes(h5::shapeOf(dataset).front());
   if (sizes.size() < rows) throw RunError("force_inputs/row_size is shorter than its times");
   h5::check(H5Dread(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, sizes.data()), "cannot read",

@@ -34,6 +34,7 @@ void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws) {
 }
 
 std::vector<double> committedTimes_s(hid_t time) {
+  h5::requireStored(time);
   std::vector<double> times_s(h5::shapeOf(time).front());
   h5::check(H5Dread(time, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, times_s.data()),
             "cannot read the times");

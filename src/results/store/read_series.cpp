@@ -24,6 +24,7 @@ SeriesData readNumbers(hid_t file, const std::string& name) {
   data.shape.assign(shape.begin(), shape.end());
   std::size_t count = 1;
   for (const std::size_t length : data.shape) count *= length;
+  h5::requireStored(dataset);
   data.values.resize(count);
   h5::check(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, data.values.data()),
             "cannot read", name);
@@ -33,8 +34,6 @@ SeriesData readNumbers(hid_t file, const std::string& name) {
 }  // namespace
 
 SeriesData readSeries(const std::filesystem::path& file, const std::string& dataset) {
-  if (std::error_code ignored; !std::filesystem::exists(file, ignored))
-    throw InputError(inFile(file), "no such file");
   try {
     return readNumbers(h5::openToRead(file), dataset);
   } catch (const RunError& error) {

@@ -90,6 +90,7 @@ void ReferenceCopy::copyDataset(hid_t from, hid_t to, const std::string& name) c
   const std::vector<std::string> axes = h5::axisNames(from, name);
   if (std::any_of(axes.begin(), axes.end(), [](const auto& axis) { return picture_axes.contains(axis); }))
     return;
+  h5::requireStored(from);
   std::vector<hsize_t> shape = h5::shapeOf(from);
   const h5::Id type(H5Dget_type(from), H5Tclose, "cannot read", name);
   const h5::Id source(H5Dget_space(from), H5Sclose, "cannot read", name);

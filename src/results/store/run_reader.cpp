@@ -118,6 +118,7 @@ std::vector<double> RunReader::rows(const StoredQuantity& quantity, std::size_t 
     start[row_axis] = first;
     size[row_axis] = count;
   }
+  if (count > 1) h5::requireStored(dataset);  // of single rows there may be many
   std::vector<double> values(count * quantity.columns());
   if (values.empty()) return values;
   readBlock(dataset, quantity.name, start, size, H5T_NATIVE_DOUBLE, values.data());

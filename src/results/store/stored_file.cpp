@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "store/format.h"
 
 namespace fissure {
@@ -28,12 +29,7 @@ void checkFormat(hid_t file, const StoredFormat& format) {
 
 void readStoredFile(const std::filesystem::path& path, const StoredFormat& format,
                     const std::function<void(h5::Id file)>& read) {
-  std::error_code reason;  // a loop of links, a name that is too long
-  const std::filesystem::file_status status = std::filesystem::status(path, reason);
-  if (status.type() == std::filesystem::file_type::not_found) throw InputError(inFile(path), "no such file");
-  if (reason) throw InputError(inFile(path), reason.message());
-  if (!std::filesystem::is_regular_file(status))
-    throw InputError(inFile(path), "not a file, expected " + format.what);
+  requireInputFile(path, format.what);
   try {
     h5::Id file = h5::openToRead(path);
     checkFormat(file, format);

@@ -20,6 +20,7 @@ struct Rows {
       : dataset(h5::openDataset(file, name)),
         size(h5::shapeOf(dataset)),
         from(H5Dget_space(dataset), H5Sclose, "cannot read", name) {
+    h5::requireStored(dataset);
     if (size.empty() || first + count > size.front()) throw RunError(name + " has fewer rows than the runs");
     std::vector<hsize_t> start(size.size(), 0);
     start.front() = first;

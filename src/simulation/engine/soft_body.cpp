@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/contact_trees.h"
 #include "engine/convert.h"
 
 namespace fissure {
@@ -155,6 +156,7 @@ std::unique_ptr<btSoftBody> makeSoftBody(btSoftBodyWorldInfo& world_info, const 
   body->setPose(settings.pose_volume, settings.pose_frame);
   if (pipeline.usesClusters() || settings.soft_contact == SoftContact::clusters)
     makeClusters(*body, settings.clusters, pipeline.tuning().least_cluster_iterations);
+  makeTreesOfPieces(*body);
   body->setActivationState(DISABLE_DEACTIVATION);
   return body;
 }

@@ -154,7 +154,15 @@ std::vector<Defect> inspectSurface(const TriangleMesh& mesh, double unit_m) {
 }
 
 bool spoilsBody(DefectKind kind) {
-  return kind != DefectKind::sliver_triangles && kind != DefectKind::shells;
+  switch (kind) {
+    case DefectKind::sliver_triangles:
+    case DefectKind::shells:
+    case DefectKind::unused_vertices:
+    case DefectKind::non_planar_polygons:
+      return false;
+    default:
+      return true;
+  }
 }
 
 bool spoilsTool(DefectKind kind) {

@@ -22,8 +22,10 @@ enum class DefectKind {
   inconsistent_edges,    ///< run through more than once in one direction
   no_volume,
   inside_out,
-  shells,  ///< pieces that share no vertex, where there are several
-  size,    ///< beyond reason
+  shells,               ///< pieces that share no vertex, where there are several
+  size,                 ///< beyond reason
+  unused_vertices,      ///< of a file: in no face of it, whether its reader kept them or not
+  non_planar_polygons,  ///< of a file: what triangles they become is the reader's choice
 };
 
 struct Defect {
@@ -39,7 +41,8 @@ struct Defect {
 /// `unit_m`: metres in the vertices' unit.
 std::vector<Defect> inspectSurface(const TriangleMesh& mesh, double unit_m = 1);
 
-/// True for what a soft body cannot be simulated with: all but slivers and several shells.
+/// True for what a soft body cannot be simulated with: all but slivers, several shells and what is odd about
+/// a file alone.
 bool spoilsBody(DefectKind kind);
 
 /// True when a tool cannot be used at all: no triangles, bad vertices or indices, a size beyond reason,

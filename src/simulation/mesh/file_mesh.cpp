@@ -1,28 +1,99 @@
 #include "mesh/file_mesh.h"
 
+#include <assimp/cfileio.h>
 #include <assimp/cimport.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <dlfcn.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "mesh/mesh_text.h"
+#include "mesh/obj_vertices.h"
 
 namespace fissure {
 namespace {
 
 constexpr std::size_t max_triangles = std::size_t{1} << 20;
 
+/// A file system for Assimp that has one file, and that in memory: whatever a mesh names, nothing else can be
+/// opened.
+class OneFile {
+ public:
+  explicit OneFile(const MeshText& text)
+      : name_(nameOf(text.format)), bytes_(text.bytes), system_{&open, &close, data(this)} {}
+  OneFile(const OneFile&) = delete;
+  OneFile& operator=(const OneFile&) = delete;
+
+  const char* name() const { return name_; }
+  aiFileIO* files() { return &system_; }
+
+ private:
+  /// An opened file: Assimp's functions, and how far it was read.
+  struct Opened {
+    aiFile file{};
+    const std::string* bytes = nullptr;
+    std::size_t at = 0;
+  };
+
+  static const char* nameOf(MeshFormat format) {
+    constexpr const char* names[] = {"mesh.stl", "mesh.obj", "mesh.ply", "mesh.off"};
+    return names[static_cast<std::size_t>(format)];
+  }
+  template <class T>
+  static char* data(T* object) {
+    return reinterpret_cast<char*>(object);
+  }
+  static Opened& opened(aiFile* file) { return *reinterpret_cast<Opened*>(file->UserData); }
+
+  static aiFile* open(aiFileIO* system, const char* name, const char* mode) {
+    const OneFile& here = *reinterpret_cast<OneFile*>(system->UserData);
+    if (std::strcmp(name, here.name_) != 0 || mode[0] != 'r') return nullptr;
+    auto made = std::make_unique<Opened>();
+    made->bytes = &here.bytes_;
+    made->file = {&read, &write, &tell, &size, &seek, &flush, data(made.get())};
+    return &made.release()->file;
+  }
+  static void close(aiFileIO*, aiFile* file) { delete &opened(file); }
+  static std::size_t read(aiFile* file, char* to, std::size_t size, std::size_t count) {
+    Opened& from = opened(file);
+    const std::size_t items = size == 0 ? 0 : std::min(count, (from.bytes->size() - from.at) / size);
+    std::copy_n(from.bytes->data() + from.at, items * size, to);
+    from.at += items * size;
+    return items;
+  }
+  static std::size_t write(aiFile*, const char*, std::size_t, std::size_t) { return 0; }
+  static std::size_t tell(aiFile* file) { return opened(file).at; }
+  static std::size_t size(aiFile* file) { return opened(file).bytes->size(); }
+  static aiReturn seek(aiFile* file, std::size_t offset, aiOrigin origin) {
+    Opened& in = opened(file);
+    const std::size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? in.at : in.bytes->size();
+    const std::size_t to = from + offset;  // an offset back wraps around, as it should
+    if (to > in.bytes->size()) return aiReturn_FAILURE;
+    in.at = to;
+    return aiReturn_SUCCESS;
+  }
+  static void flush(aiFile*) {}
+
+  const char* name_;
+  const std::string& bytes_;
+  aiFileIO system_;
+};
+
 /// Assimp, loaded when the first mesh is read: linked, it would cost every start of every program 6 ms.
 class Assimp {
  public:
   Assimp()
       : library_(dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)),  // it may leave exit handlers behind
-        import_(find<decltype(import_)>("aiImportFileFromMemory")),
+        import_(find<decltype(import_)>("aiImportFileEx")),
         triangulate_(find<decltype(triangulate_)>("aiApplyPostProcessing")),
         error_(find<decltype(error_)>("aiGetErrorString")),
         release_(find<decltype(release_)>("aiReleaseImport")),
@@ -38,10 +109,8 @@ class Assimp {
 
   /// Null when it failed; then and otherwise, complaint() says what was wrong.
   Scene read(const MeshText& text) {
-    constexpr const char* endings[] = {"stl", "obj", "ply", "off"};
-    Scene scene(import_(text.bytes.data(), static_cast<unsigned>(text.bytes.size()), 0,
-                        endings[static_cast<std::size_t>(text.format)]),
-                release_);
+    OneFile only(text);
+    Scene scene(import_(only.name(), 0, only.files()), release_);
     if (!scene && complaint_.empty()) complaint_ = error_();
     return scene;
   }
@@ -76,7 +145,7 @@ class Assimp {
 
   std::string complaint_;
   void* library_;
-  decltype(&aiImportFileFromMemory) import_;
+  decltype(&aiImportFileEx) import_;
   decltype(&aiApplyPostProcessing) triangulate_;
   decltype(&aiGetErrorString) error_;
   decltype(&aiReleaseImport) release_;
@@ -93,6 +162,16 @@ std::string shortened(const std::string& complaint) {
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, ' ');
   return line;
+}
+
+std::string percent(double share) {
+  std::array<char, 32> text = {};
+  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
+  return text.data();
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// Faces that cannot be split into triangles.
@@ -115,6 +194,70 @@ void refuseBadFaces(const std::string& file, const aiScene& scene) {
   if (beyond > 0)
     throw InputError(inFile(file), std::to_string(beyond) + " of its " + std::to_string(faces) +
                                        " faces name a vertex that does not exist (a damaged file)");
+}
+
+/// How far the corners of a polygon lie off the plane through their middle, as a share of its extent.
+double bend(const aiMesh& part, const aiFace& face) {
+  std::vector<Vec3> corners;
+  Vec3 middle = Vec3::Zero(), normal = Vec3::Zero();
+  for (unsigned i = 0; i < face.mNumIndices; ++i) {
+    const aiVector3D& p = part.mVertices[face.mIndices[i]];
+    corners.emplace_back(p.x, p.y, p.z);
+    middle += corners.back() / face.mNumIndices;
+  }
+  double off = 0, extent = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    normal += (corners[i] - middle).cross(corners[(i + 1) % corners.size()] - middle);
+  for (const Vec3& corner : corners) {
+    off = std::max(off, std::abs(normal.normalized().dot(corner - middle)));
+    extent = std::max(extent, 2 * (corner - middle).norm());
+  }
+  return extent > 0 ? off / extent : 0;
+}
+
+/// A polygon bent by more than this share of its extent is not planar: far more than rounding to single
+/// precision does.
+constexpr double largest_bend = 1e-3;
+
+void noteBentPolygons(const aiScene& scene, std::vector<Defect>& oddities) {
+  std::size_t faces = 0, bent = 0, first = 0;
+  double first_bend = 0;
+  for (unsigned m = 0; m < scene.mNumMeshes; ++m) {
+    const aiMesh& part = *scene.mMeshes[m];
+    for (const aiFace* face = part.mFaces; face != part.mFaces + part.mNumFaces; ++face, ++faces) {
+      const double share = face->mNumIndices > 3 ? bend(part, *face) : 0;
+      if (!(share > largest_bend) || ++bent > 1) continue;
+      first = faces;
+      first_bend = share;
+    }
+  }
+  if (bent == 0) return;
+  oddities.push_back({DefectKind::non_planar_polygons, bent,
+                      counted(bent, "non-planar polygon", "non-planar polygons") +
+                          " (their triangles are the reader's choice; the first is face " +
+                          std::to_string(first) + " of the file, counted from 0, bent by " +
+                          percent(first_bend) + " of its extent)"});
+}
+
+void noteUnused(std::size_t count, const std::string& first, std::vector<Defect>& oddities) {
+  if (count == 0) return;
+  oddities.push_back(
+      {DefectKind::unused_vertices, count,
+       counted(count, "vertex", "vertices") + " of the file in no face (the first is " + first + ")"});
+}
+
+/// OBJ's are not in the mesh: Assimp leaves them out.
+void noteUnusedVertices(const MeshText& text, const TriangleMesh& mesh, std::vector<Defect>& oddities) {
+  if (text.format == MeshFormat::obj) {
+    const UnusedVertices unused = unusedVertices(text.bytes);
+    return noteUnused(unused.count, "in line " + std::to_string(unused.first_line), oddities);
+  }
+  std::vector<char> used(mesh.vertices_m.size(), 0);
+  for (const Face& face : mesh.faces)
+    for (const int v : face) used[static_cast<std::size_t>(v)] = 1;
+  const auto first = std::find(used.begin(), used.end(), 0);
+  noteUnused(static_cast<std::size_t>(std::count(first, used.end(), 0)),
+             "vertex " + std::to_string(first - used.begin()) + ", counted from 0", oddities);
 }
 
 bool hasPolygons(const aiScene& scene) {
@@ -142,7 +285,7 @@ void append(const aiMesh& part, TriangleMesh& mesh) {
 
 }  // namespace
 
-TriangleMesh readMeshFile(const std::filesystem::path& file) {
+FileMesh readMeshFile(const std::filesystem::path& file) {
   const MeshText text = readMeshText(file);
   Assimp assimp;
   const auto requireGood = [&](bool read) {
@@ -152,14 +295,17 @@ TriangleMesh readMeshFile(const std::filesystem::path& file) {
   Assimp::Scene scene = assimp.read(text);
   requireGood(scene != nullptr);
   refuseBadFaces(file.string(), *scene);
+  FileMesh file_mesh;
+  TriangleMesh& mesh = file_mesh.mesh;
+  noteBentPolygons(*scene, file_mesh.oddities);
   if (hasPolygons(*scene)) assimp.triangulate(scene);
   requireGood(true);
-  TriangleMesh mesh;
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
   if (mesh.faces.size() > max_triangles)
     throw InputError(inFile(file), "has " + std::to_string(mesh.faces.size()) +
                                        " triangles, expected at most " + std::to_string(max_triangles));
-  return mesh;
+  noteUnusedVertices(text, mesh, file_mesh.oddities);
+  return file_mesh;
 }
 
 }  // namespace fissure

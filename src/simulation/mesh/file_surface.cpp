@@ -58,12 +58,12 @@ bool isFinite(const TriangleMesh& mesh) {
 }
 
 /// What the shape asks for of the mesh that was `read` from `file`.
-FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& file, TriangleMesh read) {
+FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& file, FileMesh read) {
   const double unit_m = metres(shape.unit);
   FileSurface surface;
   TriangleMesh& mesh = surface.mesh;
   // In the file's unit to the end: three points of a line are none any more when they have been scaled.
-  mesh = std::move(read);
+  mesh = std::move(read.mesh);
   weldVertices(mesh, shape.weld_tolerance_m / unit_m);
   surface.found = inspect(mesh, shape.unit);
   surface.left = surface.found;
@@ -74,6 +74,7 @@ FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& fil
                                          std::to_string(most_triangles) + " triangles, expected fewer");
     surface.left = inspect(mesh, shape.unit);
   }
+  surface.left.insert(surface.left.end(), read.oddities.begin(), read.oddities.end());
   for (Vec3& vertex : mesh.vertices_m) vertex *= unit_m;
   return surface;
 }

@@ -9,6 +9,7 @@
 
 #include "base/geometry.h"
 #include "mesh/check.h"
+#include "mesh/file_mesh.h"
 #include "scenario/shapes.h"
 
 namespace fissure {
@@ -18,7 +19,7 @@ struct FileSurface {
   TriangleMesh mesh;                 ///< metres, in the file's frame; repaired and subdivided as asked
   std::vector<Defect> found;         ///< in the file, welded
   std::vector<std::string> repairs;  ///< what they changed (repairMesh)
-  std::vector<Defect> left;          ///< in `mesh`
+  std::vector<Defect> left;          ///< in `mesh`, and what is odd about the file
 };
 
 /// Reads, scales, welds, inspects, repairs and subdivides. Repairs are left out where a vertex is not finite.
@@ -37,7 +38,7 @@ class SurfaceFiles {
 
  private:
   std::filesystem::path directory_;
-  mutable std::map<std::filesystem::path, TriangleMesh> meshes_;  ///< as read
+  mutable std::map<std::filesystem::path, FileMesh> meshes_;  ///< as read
   mutable std::list<std::pair<FileShape, FileSurface>> surfaces_;
 };
 

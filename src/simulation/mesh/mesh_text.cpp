@@ -5,11 +5,11 @@
 #include <cctype>
 #include <cstdint>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <sstream>
+#include <string_view>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "mesh/ply_layout.h"
 
 namespace fissure {
@@ -18,6 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t max_bytes = std::uintmax_t{256} << 20;
+
+/// Each of them ends a line to Assimp, and so does NUL.
+constexpr std::string_view line_ends = "\n\r\f";
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) {
   throw InputError(inFile(file), what);
@@ -34,15 +37,7 @@ MeshFormat formatOf(const fs::path& file) {
 }
 
 std::string readBytes(const fs::path& file) {
-  std::error_code error;
-  if (fs::is_directory(file, error)) fail(file, "is a folder, expected a mesh file");
-  if (!fs::exists(file, error)) fail(file, "no such file, expected a mesh");
-  if (!fs::is_regular_file(file, error)) fail(file, "is no regular file, expected a mesh");
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error || size > max_bytes) fail(file, "larger than 256 MiB, expected a smaller mesh");
-  std::ifstream stream(file, std::ios::binary);
-  std::string bytes((std::istreambuf_iterator<char>(stream)), {});
-  if (!stream) fail(file, "cannot be read, expected a mesh file");
+  std::string bytes = readInputFile(file, "a mesh", max_bytes);
   if (bytes.empty()) fail(file, "is empty, expected a mesh");
   return bytes;
 }
@@ -79,9 +74,9 @@ void checkPly(const fs::path& file, const std::string& bytes) {
 
 /// The word OFF, after letters that say what else a vertex has, then the counts.
 void checkOff(const fs::path& file, const std::string& bytes) {
-  std::istringstream stream(bytes.substr(0, std::min<std::size_t>(bytes.size(), 65536)));
-  std::string text;
-  for (std::string line; std::getline(stream, line);) text += line.substr(0, line.find('#')) + "\n";
+  std::string text = bytes.substr(0, std::min<std::size_t>(bytes.size(), 65536));
+  for (std::size_t at = 0; (at = text.find('#', at)) != std::string::npos;)
+    text.erase(at, text.find_first_of(line_ends, at) - at);
   std::istringstream words(text);
   std::string key;
   double vertices = -1, faces = -1;
@@ -92,19 +87,16 @@ void checkOff(const fs::path& file, const std::string& bytes) {
   requireRoom(file, bytes, "faces", faces);
 }
 
-/// Lines about materials would make Assimp look for other files.
-void dropMaterials(const fs::path& file, std::string& bytes) {
+/// Lines about materials, which concern other files, become comments.
+void hideMaterials(const fs::path& file, std::string& bytes) {
   if (bytes.find('\0') != std::string::npos) fail(file, "is no OBJ file, it is not text");
-  std::string kept;
-  kept.reserve(bytes.size());
-  std::istringstream lines(bytes);
-  for (std::string line; std::getline(lines, line);) {
-    const std::size_t start = std::min(line.find_first_not_of(" \t"), line.size());
-    const std::string key = line.substr(start, 6);
-    if (key != "mtllib" && key != "usemtl") kept += line;
-    kept += '\n';
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const std::size_t start = bytes.find_first_not_of(" \t", at);
+    if (start == std::string::npos) return;
+    const bool material = bytes.compare(start, 6, "mtllib") == 0 || bytes.compare(start, 6, "usemtl") == 0;
+    if (material) bytes[start] = '#';
+    at = std::min(bytes.find_first_of(line_ends, start), bytes.size());
   }
-  bytes = std::move(kept);
 }
 
 }  // namespace
@@ -116,7 +108,7 @@ MeshText readMeshText(const fs::path& file) {
       checkStl(file, text.bytes);
       break;
     case MeshFormat::obj:
-      dropMaterials(file, text.bytes);
+      hideMaterials(file, text.bytes);
       break;
     case MeshFormat::ply:
       checkPly(file, text.bytes);

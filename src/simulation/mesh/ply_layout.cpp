@@ -13,6 +13,19 @@ namespace {
   throw InputError("ends before all that its header states (a damaged file)");
 }
 
+/// Assimp takes each of these characters for the end of a line, and skips what follows up to the next '\n'.
+void refuseOddLineEnds(std::string_view text) {
+  using namespace std::string_view_literals;
+  constexpr std::string_view odd = "\r\f\0"sv;
+  for (std::size_t at = text.find_first_of(odd); at != std::string_view::npos;
+       at = text.find_first_of(odd, at + 1)) {
+    if (text.substr(at, 2) != "\r\n")
+      throw InputError(
+          "has a carriage return, form feed or NUL within a line, expected lines that end in "
+          "LF or CR LF");
+  }
+}
+
 std::size_t sizeOf(const std::string& type) {
   static const std::map<std::string, std::size_t> sizes = {
       {"char", 1},  {"uchar", 1},   {"int8", 1},   {"uint8", 1},  {"short", 2}, {"ushort", 2},
@@ -82,6 +95,7 @@ PlyLayout::PlyLayout(std::string_view bytes) {
   if (!bytes.starts_with("ply") || end == std::string_view::npos)
     throw InputError("is no PLY file, expected a header from ply to end_header");
   body_ = std::min(bytes.find('\n', end), bytes.size() - 1) + 1;
+  refuseOddLineEnds(bytes.substr(0, body_));
   std::istringstream header{std::string(bytes.substr(0, end))};
   for (std::string line; std::getline(header, line);) takeLine(line);
 }
@@ -126,7 +140,10 @@ void PlyLayout::walk(Walker walker) const {
 
 void PlyLayout::requireAll(std::string_view bytes) const {
   const std::string_view body = bytes.substr(body_);
-  if (encoding_ == Encoding::text) return walk(WordWalker(body));
+  if (encoding_ == Encoding::text) {
+    refuseOddLineEnds(body);
+    return walk(WordWalker(body));
+  }
   walk(ByteWalker(body, encoding_ == Encoding::big_endian));
 }
 

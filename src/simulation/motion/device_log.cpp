@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "motion/axis_lines.h"
+#include "scenario/catalog.h"
 #include "text/delimited_text.h"
 #include "text/scalars.h"
 
@@ -16,11 +17,16 @@ namespace {
 /// A quaternion shorter than this is no rotation: trackers write zeros when they see nothing.
 constexpr double shortest_quaternion = 1e-6;
 
+/// A time stamp beyond this is none: nanoseconds since 1970 are 2e18.
+constexpr double latest_date = 1e20;
+
 void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
   if (settings.time_column.has_value() == settings.rate_hz.has_value())
     throw InputError(
         where + (settings.rate_hz ? ": both time_column and rate_hz" : ": neither time_column nor rate_hz") +
         ", expected one of them");
+  if (settings.frame_column && settings.time_column)
+    throw InputError(where + ": both time_column and frame_column, expected rate_hz with frame_column");
   if (settings.rate_hz && !(*settings.rate_hz > 0 && std::isfinite(*settings.rate_hz)))
     throw InputError(where + ".rate_hz: expected a value above 0");
 }
@@ -35,8 +41,12 @@ class LogReader {
       position_columns_ = {0, 1, 2};
       return;
     }
-    table_ = std::make_unique<DelimitedText>(file, files);
-    if (settings.time_column) time_column_ = table_->column(*settings.time_column);
+    auto named = std::make_unique<DelimitedText>(file, files);
+    named_ = named.get();
+    table_ = std::move(named);
+    if (settings.time_column) findTime(*settings.time_column);
+    if (settings.frame_column) time_column_ = table_->column(*settings.frame_column);
+    if (settings.where) filter_column_ = table_->column(settings.where->column);
     for (std::size_t i = 0; i < 3; ++i) position_columns_[i] = table_->column(settings.position_columns[i]);
     if (!settings.quaternion_columns) return;
     for (std::size_t i = 0; i < 4; ++i)
@@ -45,17 +55,27 @@ class LogReader {
 
   DeviceLog read() {
     for (; table_->next(); ++row_) takeRow();
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(inFile(table_->fileName()),
+                       "none of its " + std::to_string(row_) + " rows has " + what);
+    };
     if (row_ == 0)
       throw InputError(inFile(table_->fileName(), 1), "only a header line, expected rows below it");
-    if (log_.rows.empty())
-      throw InputError(
-          inFile(table_->fileName()),
-          "none of its " + std::to_string(row_) + " rows has a pose, expected a number in each named column");
+    if (log_.filtered_rows.size() == row_)
+      refuse(inQuotes(settings_.where->equals) + " in column " + inQuotes(settings_.where->column) +
+             " (the first has " + inQuotes(first_filtered_) + "), expected some");
+    if (log_.rows.empty()) refuse("a pose, expected a number in each named column");
     return std::move(log_);
   }
 
  private:
+  void findTime(const std::string& column) {
+    time_column_ = table_->column(column);
+    unit_ = settings_.time_unit.value_or(timeUnitIn(column).value_or(TimeUnit::s));
+  }
+
   void takeRow() {
+    if (isLeftOut()) return log_.filtered_rows.push_back(row_);
     const double time_s = readTime_s();
     const Vec3 position_m = readPosition_m();
     const Quat orientation = readOrientation();
@@ -65,56 +85,94 @@ class LogReader {
     } else if (!log_.times_s.empty() && time_s <= log_.times_s.back()) {
       log_.repeated_rows.push_back(row_);
     } else {
+      if (log_.rows.empty() && hasStamps()) zero_stamp_ = latest_stamp_;
       log_.rows.push_back(row_);
-      log_.times_s.push_back(time_s);
+      log_.lines.push_back(table_->line());
+      log_.times_s.push_back(log_.times_s.empty() && hasStamps() ? 0 : time_s);
       log_.positions_m.push_back(position_m);
       if (settings_.quaternion_columns) log_.orientations.push_back(orientation);
     }
-    if (log_.rows.size() == 1 && log_.rows.back() == row_ && settings_.time_column) setTimeZero();
   }
+
+  bool isLeftOut() {
+    if (!settings_.where || named_->text(filter_column_) == settings_.where->equals) return false;
+    if (log_.filtered_rows.empty()) first_filtered_ = logExcerpt(named_->text(filter_column_));
+    return true;
+  }
+
+  bool hasStamps() const { return settings_.time_column || settings_.frame_column; }
 
   /// Relative to the first row kept, once there is one.
   double readTime_s() {
-    if (!settings_.time_column) return static_cast<double>(row_) / *settings_.rate_hz;
-    const double stamp_s = table_->number(time_column_);
-    if (!std::isfinite(stamp_s)) return stamp_s;
-    if (stamp_s < latest_stamp_s_)
-      throw InputError(inFile(table_->fileName(), table_->line()),
-                       "time goes back from " + formatReal(latest_stamp_s_) + " to " + formatReal(stamp_s) +
-                           " s in column \"" + *settings_.time_column + "\", expected rows in order of time");
-    latest_stamp_s_ = stamp_s;
-    return stamp_s - zero_stamp_s_;
+    if (!hasStamps()) return static_cast<double>(row_) / *settings_.rate_hz;
+    const double stamp = table_->number(time_column_);
+    if (!(std::abs(stamp) <= latest_date)) return std::numeric_limits<double>::quiet_NaN();
+    if (settings_.frame_column && stamp != std::floor(stamp))
+      throw fault("frame " + formatReal(stamp) + " in column " + inQuotes(*settings_.frame_column) +
+                  ", expected whole numbers");
+    if (stamp < latest_stamp_) throw fault(goesBack(stamp));
+    latest_stamp_ = stamp;
+    const double since = stamp - zero_stamp_;
+    return settings_.frame_column ? since / *settings_.rate_hz : since * seconds(unit_);
   }
 
-  void setTimeZero() {
-    zero_stamp_s_ = log_.times_s.back();
-    log_.times_s.back() = 0;
+  std::string goesBack(double stamp) const {
+    const std::string from_to = " goes back from " + formatReal(latest_stamp_) + " to " + formatReal(stamp);
+    if (settings_.frame_column)
+      return "frame" + from_to + " in column " + inQuotes(*settings_.frame_column) +
+             ", expected rows in order of frames";
+    return "time" + from_to + " " + nameIn(catalog().time_units, unit_) + " in column " +
+           inQuotes(*settings_.time_column) + ", expected rows in order of time";
   }
 
-  Vec3 readPosition_m() const {
-    return to_m_ * Vec3(table_->number(position_columns_[0]), table_->number(position_columns_[1]),
-                        table_->number(position_columns_[2]));
+  InputError fault(const std::string& text) const {
+    return InputError(inFile(table_->fileName(), table_->line()), text);
+  }
+
+  /// A coordinate or part of a quaternion; NaN where there is none.
+  double measurement(std::size_t column, const std::string& name) {
+    const double value = table_->number(column);
+    if (!(std::abs(value) > kReasonable)) return value;
+    if (log_.beyond_reason.empty())
+      log_.first_beyond_reason = fault(formatReal(value) + " in column " + inQuotes(name)).what();
+    if (log_.beyond_reason.empty() || log_.beyond_reason.back() != row_) log_.beyond_reason.push_back(row_);
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+  Vec3 readPosition_m() {
+    Vec3 position;
+    for (int i = 0; i < 3; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      position[i] = measurement(position_columns_[at], settings_.position_columns[at]);
+    }
+    return to_m_ * position;
   }
 
   /// Unit; NaN where the row has none.
-  Quat readOrientation() const {
+  Quat readOrientation() {
     if (!settings_.quaternion_columns) return Quat::Identity();
-    const auto& columns = quaternion_columns_;
-    const Eigen::Vector4d xyzw(table_->number(columns[0]), table_->number(columns[1]),
-                               table_->number(columns[2]), table_->number(columns[3]));
+    Eigen::Vector4d xyzw;
+    for (int i = 0; i < 4; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      xyzw[i] = measurement(quaternion_columns_[at], (*settings_.quaternion_columns)[at]);
+    }
     if (xyzw.norm() > shortest_quaternion) return Quat(Eigen::Vector4d(xyzw / xyzw.norm()));
     return Quat(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
   }
 
   const ReplayMotion& settings_;
   std::unique_ptr<LogTable> table_;
+  const DelimitedText* named_ = nullptr;  ///< the table, where its columns have names
   double to_m_;
-  std::size_t time_column_ = 0;
+  TimeUnit unit_ = TimeUnit::s;
+  std::size_t time_column_ = 0;  ///< of time stamps or frames
+  std::size_t filter_column_ = 0;
   std::array<std::size_t, 3> position_columns_ = {};
   std::array<std::size_t, 4> quaternion_columns_ = {};
   std::size_t row_ = 0;
-  double zero_stamp_s_ = 0;
-  double latest_stamp_s_ = -std::numeric_limits<double>::infinity();
+  double zero_stamp_ = 0;
+  double latest_stamp_ = -std::numeric_limits<double>::infinity();
+  std::string first_filtered_;
   DeviceLog log_;
 };
 

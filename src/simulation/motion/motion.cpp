@@ -18,6 +18,13 @@ std::unique_ptr<Motion> make(const ReplayMotion& settings, const std::filesystem
 
 }  // namespace
 
+MotionPeaks peaksOf(const Motion& motion, double step_s, std::int64_t steps) {
+  MotionPeaks peaks(step_s);
+  for (std::int64_t step = 0; step <= steps; ++step)
+    peaks.add(motion.poseAt(static_cast<double>(step) * step_s).position_m);
+  return peaks;
+}
+
 std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory,
                                    const LogFiles& files) {
   const std::string where = "tools." + tool.name + ".motion";

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "motion/monotone_cubic.h"
 #include "text/scalars.h"
+#include "text/units.h"
 
 namespace fissure {
 namespace {
@@ -18,6 +19,11 @@ constexpr double time_slack_s = 1e-9;
 
 /// The same for lengths: 0.03 - 0.01 is more than 0.02 to a computer.
 constexpr double jump_slack_m = 1e-12;
+
+/// The way of the device to a sample from the one before it.
+double stepTo_m(const DeviceLog& log, std::size_t sample) {
+  return (log.positions_m[sample] - log.positions_m[sample - 1]).norm();
+}
 
 }  // namespace
 
@@ -30,7 +36,8 @@ ReplayedMotion::ReplayedMotion(const ReplayMotion& settings, const std::filesyst
   times_s_ = std::move(log.times_s);
   setWindow(settings, file.string(), where);
   if (settings.opening) opening_.emplace(*settings.opening, settings.mapping, mapping);
-  count(log, settings.jump_m);
+  count(log, settings);
+  noteSteps(log, settings, file.string());
   map(log, mapping);
   if (settings.interpolation == Interpolation::monotone_cubic) computeSlopes();
 }
@@ -53,15 +60,20 @@ void ReplayedMotion::setWindow(const ReplayMotion& settings, const std::string& 
   for (double& time_s : times_s_) time_s -= settings.start_s;
 }
 
-void ReplayedMotion::count(const DeviceLog& log, double jump_m) {
-  const auto in_window = [&](double time_s) {
-    return time_s >= -time_slack_s && time_s <= duration_s_ + time_slack_s;
-  };
-  const bool from_start = in_window(times_s_.front()), to_end = in_window(times_s_.back());
+bool ReplayedMotion::isPlayed(double time_s) const {
+  return time_s >= -time_slack_s && time_s <= duration_s_ + time_slack_s;
+}
+
+bool ReplayedMotion::isStepPlayed(std::size_t to) const {
+  return times_s_[to] > time_slack_s && times_s_[to - 1] < duration_s_ - time_slack_s;
+}
+
+void ReplayedMotion::count(const DeviceLog& log, const ReplayMotion& settings) {
+  const bool from_start = isPlayed(times_s_.front()), to_end = isPlayed(times_s_.back());
   std::size_t first_row = 0, last_row = std::numeric_limits<std::size_t>::max();
-  long long samples = 0, held = 0, gaps = 0, jumps = 0, saturated = 0;
+  long long samples = 0, held = 0, gaps = 0, saturated = 0;
   for (std::size_t i = 0; i < times_s_.size(); ++i) {
-    if (in_window(times_s_[i])) {
+    if (isPlayed(times_s_[i])) {
       ++samples;
       if (opening_ && opening_->saturates(log.positions_m[i])) ++saturated;
     }
@@ -69,11 +81,10 @@ void ReplayedMotion::count(const DeviceLog& log, double jump_m) {
     // such sample.
     if (!from_start && times_s_[i] <= 0) first_row = log.rows[i];
     if (!to_end && times_s_[i] >= duration_s_) last_row = std::min(last_row, log.rows[i]);
-    if (i == 0 || times_s_[i] <= time_slack_s || times_s_[i - 1] >= duration_s_ - time_slack_s) continue;
+    if (i == 0 || !isStepPlayed(i)) continue;
     const bool turned =
         !log.orientations.empty() && log.orientations[i].coeffs() != log.orientations[i - 1].coeffs();
     if (log.positions_m[i] == log.positions_m[i - 1] && !turned) ++held;
-    if ((log.positions_m[i] - log.positions_m[i - 1]).norm() > jump_m + jump_slack_m) ++jumps;
     if (isGap(i - 1)) ++gaps;
   }
   const auto replayed = [&](const std::vector<std::size_t>& rows) -> long long {
@@ -83,10 +94,42 @@ void ReplayedMotion::count(const DeviceLog& log, double jump_m) {
   summary_ = {{"replay_samples", samples},
               {"replay_held_samples", held},
               {"replay_gaps", gaps},
-              {"replay_jumps", jumps},
               {"replay_dropped_rows", replayed(log.dropped_rows)},
+              {"replay_rows_beyond_reason", replayed(log.beyond_reason)},
               {"replay_repeated_rows", replayed(log.repeated_rows)}};
+  if (settings.where) summary_.push_back({"replay_filtered_rows", replayed(log.filtered_rows)});
   if (opening_) summary_.push_back({"replay_saturated_openings", saturated});
+  if (log.beyond_reason.empty()) return;
+  notes_.push_back(log.first_beyond_reason + " is no measurement (beyond " + formatReal(kReasonable) +
+                   "): the first of " + std::to_string(log.beyond_reason.size()) +
+                   " in the log, rows without a pose");
+}
+
+void ReplayedMotion::noteSteps(const DeviceLog& log, const ReplayMotion& settings, const std::string& file) {
+  long long jumps = 0, fast = 0;
+  std::size_t first_jump = 0, first_fast = 0;
+  for (std::size_t i = 1; i < times_s_.size(); ++i) {
+    if (!isStepPlayed(i)) continue;
+    const double step_m = stepTo_m(log, i);
+    const double time_s = times_s_[i] - times_s_[i - 1];
+    if (step_m > settings.jump_m + jump_slack_m && ++jumps == 1) first_jump = i;
+    if (step_m > settings.jump_speed_m_s * (time_s + time_slack_s) && ++fast == 1) first_fast = i;
+  }
+  summary_.push_back({"replay_jumps", jumps});
+  summary_.push_back({"replay_fast_steps", fast});
+  const auto note = [&](long long steps, std::size_t first, const std::string& limit) {
+    if (steps == 0) return;
+    const double step_m = stepTo_m(log, first), time_s = times_s_[first] - times_s_[first - 1];
+    const bool rows = settings.layout == LogLayout::rows;
+    const std::string at =
+        rows ? inFile(file, log.lines[first]).beginning()
+             : inFile(file).beginning() + "sample " + std::to_string(log.rows[first]) + ", ";
+    notes_.push_back(at + "a step of " + withUnit(step_m, "m") + " in " + withUnit(time_s, "s") + ", " +
+                     fourDigits(step_m / time_s) + " m/s, is " + limit + ": the first of " +
+                     std::to_string(steps) + ", played as it is");
+  };
+  note(jumps, first_jump, "longer than jump_m, " + withUnit(settings.jump_m, "m"));
+  note(fast, first_fast, "faster than jump_speed_m_s, " + fourDigits(settings.jump_speed_m_s) + " m/s");
 }
 
 void ReplayedMotion::map(const DeviceLog& log, const DeviceToScene& mapping) {

@@ -23,15 +23,24 @@ bool isUsable(const Vec3& position_m) {
   return (position_m.array().abs() <= kFarthest_m).all();
 }  // NaN is not
 
-/// What first left the finite scene, or "".
+/// NaN and infinity are none.
+bool hasFiniteEnergy(const State& state) {
+  double energy_J = 0;
+  for (std::size_t i = 0; i < state.masses_kg.size(); ++i)
+    energy_J += 0.5 * state.masses_kg[i] * state.velocities_m_s[i].squaredNorm();
+  return std::isfinite(energy_J);
+}
+
+/// What is wrong with the state: what first left the finite scene, or "".
 std::string whatLeftTheScene(const State& state) {
+  const std::string gone = " is not finite or more than 10 km away";
   for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
-    if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i);
+    if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i) + gone;
   }
   for (std::size_t t = 0; t < state.tools.size(); ++t) {
-    if (!isUsable(state.tools[t].pose.position_m)) return "tool " + std::to_string(t);
+    if (!isUsable(state.tools[t].pose.position_m)) return "tool " + std::to_string(t) + gone;
   }
-  return "";
+  return hasFiniteEnergy(state) ? "" : "the kinetic energy of the tissue is not finite";
 }
 
 std::string format(const char* pattern, double value) {
@@ -196,8 +205,8 @@ RunStatus Run::execute(const Outputs& outputs) {
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.end = RunEnd::non_finite;
-    status.detail = whatLeftTheScene(state) + " is not finite or more than 10 km away at step " +
-                    std::to_string(step) + format(" (t = %g s)", state.time_s);
+    status.detail =
+        whatLeftTheScene(state) + " at step " + std::to_string(step) + format(" (t = %g s)", state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);
   if (const std::string repairs = repairsOf(prepared_.scene); !repairs.empty())

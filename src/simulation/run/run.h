@@ -36,9 +36,9 @@ class Run {
     std::function<void(std::int64_t step, std::int64_t steps)> progress;  ///< settling steps included
   };
 
-  /// Runs to the end, or until a position of tissue or tool is not finite or 10 km away (status non_finite,
-  /// with when and where); then hands status and summary to the sink. Errors of sink and renderer pass
-  /// through.
+  /// Runs to the end, or until a position of tissue or tool is not finite or 10 km away, or the tissue's
+  /// kinetic energy is not finite (status non_finite, with what and when); then hands status and summary to
+  /// the sink. Errors of sink and renderer pass through.
   RunStatus execute(const Outputs& outputs);
 
  private:

@@ -66,6 +66,7 @@ const Catalog& catalog() {
                         {"vertices", "Bullet's vertices against faces"},
                         {"clusters", "Bullet's clusters against clusters"}},
       .length_units = {{"m", "metres"}, {"mm", "millimetres"}, {"cm", "centimetres"}},
+      .time_units = {{"s", "seconds"}, {"ms", "milliseconds"}, {"us", "microseconds"}, {"ns", "nanoseconds"}},
       .log_layouts = {{"rows", "a header line of names, then one line a sample"},
                       {"axes", "no header: a line of all x, one of all y, one of all z"}},
       .device_axes = {{"x", "the log's first coordinate"},

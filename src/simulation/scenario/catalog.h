@@ -34,6 +34,7 @@ struct Catalog {
   std::vector<CatalogEntry> aero_models;
   std::vector<CatalogEntry> soft_contacts;
   std::vector<CatalogEntry> length_units;
+  std::vector<CatalogEntry> time_units;
   std::vector<CatalogEntry> log_layouts;
   std::vector<CatalogEntry> device_axes;        ///< not listed: a message names them
   std::vector<CatalogEntry> expected_contacts;  ///< not listed: a message names them

@@ -51,6 +51,12 @@ void Checker::unit(const std::string& key, const Quat& value) {
           "has length " + formatReal(norm) + ", expected a unit quaternion [x, y, z, w]");
 }
 
+bool tooMany(Checker check, std::size_t count) {
+  if (count <= most_items) return false;
+  check.fail("", "has " + std::to_string(count) + " items, expected at most " + std::to_string(most_items));
+  return true;
+}
+
 void Checker::oneOf(const std::string& key, const std::string& value,
                     const std::vector<CatalogEntry>& table) {
   std::vector<std::string> names;

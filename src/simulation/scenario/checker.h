@@ -19,7 +19,10 @@ class Checker {
   /// For the entry `key` of this one.
   Checker in(const std::string& key) const { return {problems_, pathOf(key)}; }
 
-  void fail(const std::string& key, const std::string& what) { problems_.push_back({pathOf(key), what}); }
+  /// `others`: paths of what else this is about.
+  void fail(const std::string& key, const std::string& what, const std::vector<std::string>& others = {}) {
+    problems_.push_back({pathOf(key), what, others});
+  }
   void require(bool good, const std::string& key, const std::string& what) {
     if (!good) fail(key, what);
   }
@@ -41,6 +44,12 @@ class Checker {
   std::vector<Problem>& problems_;
   std::string path_;
 };
+
+/// Of bodies, tools, runs, expectations ...: they are compared with each other.
+inline constexpr std::size_t most_items = 1000;
+
+/// Whether a list of `count` items is refused; says so.
+bool tooMany(Checker check, std::size_t count);
 
 // The parts of validate(). Bodies, what surrounds them and what is recorded:
 void checkBody(Checker check, const BodySettings& body);

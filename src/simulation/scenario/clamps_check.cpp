@@ -84,6 +84,7 @@ void checkClamp(Checker check, const ToolSettings& tool) {
   const ClampPart right{tool.shape, clamp.jaw_position_m, clamp.jaw_orientation};
   checkPart(check, right, "jaw_position_m", "jaw_orientation");
   if (clamp.left_jaw) checkWholePart(check.in("left_jaw"), *clamp.left_jaw);
+  if (tooMany(check.in("handle"), clamp.handle.size())) return;
   for (std::size_t i = 0; i < clamp.handle.size(); ++i)
     checkWholePart(check.in("handle." + std::to_string(i)), clamp.handle[i]);
   checkSide(check, clamp, right, 1, "jaw_position_m");

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <map>
+#include <set>
 #include <utility>
 
 #include "base/error.h"
 #include "text/did_you_mean.h"
-#include "text/text_file.h"
 
 namespace fissure {
 
@@ -14,6 +15,9 @@ namespace {
 
 using Kind = YamlNode::Kind;
 using Path = std::filesystem::path;
+
+/// Of an override: more than any scenario has below each other.
+constexpr std::size_t most_parts = 64, longest_path = 1000;
 
 /// Position of the item that `part` names, or counts; items.size() if there is none.
 std::size_t findItem(const std::vector<YamlNode>& items, const std::string& part) {
@@ -46,23 +50,51 @@ bool allNamed(const YamlNode& list) {
                      [](const YamlNode& item) { return itemName(item).has_value(); });
 }
 
+/// Where each name stands; of several of one name, the first.
+using Positions = std::map<std::string, std::size_t>;
+
+/// Puts `child` in the place that `positions` has for `name`, or behind the others.
+void mergeChild(std::vector<YamlNode>& children, const Positions& positions, const std::string& name,
+                YamlNode child) {
+  const auto known = positions.find(name);
+  if (known == positions.end()) {
+    children.push_back(std::move(child));
+  } else {
+    YamlNode& below = children[known->second];
+    below = merge(std::move(below), std::move(child));
+  }
+}
+
 void mergeItems(YamlNode& base, YamlNode top) {
-  std::vector<std::string> seen;
+  Positions positions;
+  for (std::size_t i = 0; i < base.children.size(); ++i) positions.emplace(*itemName(base.children[i]), i);
+  std::set<std::string> seen;
   for (YamlNode& item : top.children) {
     const std::string name = *itemName(item);
     // Merging would otherwise hide a duplicate: both would go into the same item of the base.
-    if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
+    if (!seen.insert(name).second) {
       failAt(item.origin, "duplicate name \"" + name + "\", expected each name once");
     }
-    seen.push_back(name);
-    const auto known = std::find_if(base.children.begin(), base.children.end(),
-                                    [&](const YamlNode& other) { return itemName(other) == name; });
-    if (known == base.children.end()) {
-      base.children.push_back(std::move(item));
-    } else {
-      *known = merge(std::move(*known), std::move(item));
-    }
+    mergeChild(base.children, positions, name, std::move(item));
   }
+}
+
+void mergeEntries(YamlNode& base, YamlNode top) {
+  Positions positions;
+  for (std::size_t i = 0; i < base.children.size(); ++i) positions.emplace(base.children[i].key, i);
+  for (YamlNode& entry : top.children) {
+    const std::string key = entry.key;
+    mergeChild(base.children, positions, key, std::move(entry));
+  }
+}
+
+/// A path of an override is copied to all that it makes.
+void requireShort(const std::string& path, const std::vector<std::string>& parts) {
+  if (path.size() <= longest_path && parts.size() <= most_parts) return;
+  failAt(ofOverride(path.substr(0, 40) + "..."),
+         "a path of " + std::to_string(parts.size()) + " names in " + std::to_string(path.size()) +
+             " bytes, expected at most " + std::to_string(most_parts) + " names in " +
+             std::to_string(longest_path));
 }
 
 bool differentType(const YamlNode& a, const YamlNode& b) {
@@ -101,7 +133,7 @@ YamlNode composeFile(const std::string& text, const Path& file, std::vector<Path
   }
   bases.push_back(base_file);
   chain.push_back(identity);
-  YamlNode below = composeFile(readTextFile(base_file), base_file, chain, bases);
+  YamlNode below = composeFile(readYamlFile(base_file), base_file, chain, bases);
   chain.pop_back();
   return merge(std::move(below), std::move(root));
 }
@@ -144,22 +176,18 @@ YamlNode merge(YamlNode base, YamlNode top) {
   }
   if (base.kind != Kind::map || top.kind != Kind::map || differentType(base, top)) return top;
   base.origin = top.origin;
-  for (YamlNode& entry : top.children) {
-    if (YamlNode* known = base.find(entry.key)) {
-      *known = merge(std::move(*known), std::move(entry));
-    } else {
-      base.children.push_back(std::move(entry));
-    }
-  }
+  mergeEntries(base, std::move(top));
   return base;
 }
 
 void applyOverride(YamlNode& root, const Override& override) {
+  const std::vector<std::string> parts = splitPath(override.path);
+  requireShort(override.path, parts);
   const Origin origin = ofOverride(override.path);
   YamlNode value = parseYaml(override.value, origin);
   YamlNode* node = &root;
   std::string walked;
-  for (const std::string& part : splitPath(override.path)) {
+  for (const std::string& part : parts) {
     if (part.empty()) failAt(origin, "an empty name in the path, expected key.key=value");
     if (node->kind == Kind::list) {
       const std::size_t i = findItem(node->children, part);

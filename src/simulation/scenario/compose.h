@@ -31,7 +31,8 @@ std::optional<std::string> itemName(const YamlNode& item);
 YamlNode merge(YamlNode base, YamlNode top);
 
 /// Sets one value, creating entries of maps that the file left out (reading finds out whether they exist).
-/// Throws InputError that starts with `--set path`.
+/// Throws InputError that starts with `--set path`,
+/// also about a path of more than 64 names or 1000 bytes.
 void applyOverride(YamlNode& root, const Override& override);
 
 /// The node at a path as in Problem; null when there is none.

@@ -6,7 +6,6 @@
 #include "base/error.h"
 #include "scenario/compose.h"
 #include "scenario/read.h"
-#include "text/text_file.h"
 
 namespace fissure {
 
@@ -69,6 +68,17 @@ std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
   return files;
 }
 
+/// " (beside tools.a at scene.yaml:12, force.b at scene.yaml:20)"; nothing for no paths.
+std::string writtenAt(const std::vector<std::string>& paths, const YamlNode& root) {
+  std::string text;
+  for (const std::string& path : paths) {
+    std::string place = locate(root, path).beginning();
+    if (place.ends_with(": ")) place.resize(place.size() - 2);
+    text += (text.empty() ? " (beside " : ", ") + path + (place.empty() ? "" : " at " + place);
+  }
+  return text.empty() ? text : text + ")";
+}
+
 struct Parsed {
   ComposedTree tree;
   LoadedScenario loaded;  ///< without inputs and resolved text
@@ -84,7 +94,8 @@ Parsed parse(const std::string& text, const Path& file, const std::vector<Overri
   const std::vector<Problem> problems = validate(loaded.scenario);
   if (!problems.empty()) {
     const Problem& first = problems.front();
-    failAt(locate(tree.root, first.path), first.path + " " + first.message);
+    failAt(locate(tree.root, first.path),
+           first.path + " " + first.message + writtenAt(first.others, tree.root));
   }
   for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults();
   return parsed;
@@ -109,7 +120,7 @@ LoadedScenario parseStoredScenario(const std::string& text) {
 }
 
 LoadedScenario loadScenario(const Path& file, const std::vector<Override>& overrides) {
-  LoadedScenario loaded = parseScenario(readTextFile(file), file, overrides);
+  LoadedScenario loaded = parseScenario(readYamlFile(file), file, overrides);
   loaded.inputs.insert(loaded.inputs.begin(), file);
   return loaded;
 }

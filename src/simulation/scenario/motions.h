@@ -9,6 +9,7 @@
 #include "base/geometry.h"
 #include "scenario/choice_text.h"
 #include "scenario/clamps.h"
+#include "scenario/device_logs.h"
 
 namespace fissure {
 
@@ -58,52 +59,20 @@ struct ScriptMotion {
 
 enum class Interpolation { linear, monotone_cubic };
 
-/// How a log's axes lie.
-enum class DeviceFrame {
-  scene,   ///< as DeviceMapping::axes says
-  novint,  ///< Falcon by its own driver: x right, y up, z to the operator, as the scene's
-  chai3d,  ///< Falcon by CHAI3D: x to the operator, y right, z up
-};
-
-/// How a log's text is laid out.
-enum class LogLayout {
-  rows,  ///< a header line of names, then one line a sample
-  axes,  ///< no header: one line of all x, one of all y, one of all z
-};
-
-/// From the log's device frame to the scene:
-///   position = origin_scene_m + scale * R * (p_device - origin_device_m)
-///   orientation = R * q_device * mount
-/// R maps device axes to scene axes: row i of `axes` names the device axis ("x", "-y", ...) that scene axis i
-/// is.
-struct DeviceMapping {
-  std::array<std::string, 3> axes = {"x", "y", "z"};  ///< must form a right-handed frame; frame scene only
-  double scale = 1.0;                                 ///< > 0
-  /// Shown at origin_scene_m. What the driver adds to a coordinate is part of it: a Falcon's z (novint), x
-  /// (chai3d) is counted from a point 0.110, 0.125 or 0.150 m off, depending on the driver.
-  Vec3 origin_device_m = Vec3::Zero();
-  Vec3 origin_scene_m = Vec3::Zero();
-  Quat mount = Quat::Identity();  ///< the tool in the hand: x, y, z, w
-  DeviceFrame frame = DeviceFrame::scene;
-
-  /// Row i: the device axis that scene axis i is.
-  std::array<std::string, 3> sceneAxes() const {
-    if (frame == DeviceFrame::novint) return {"x", "y", "z"};
-    if (frame == DeviceFrame::chai3d) return {"y", "z", "x"};
-    return axes;
-  }
-
-  bool operator==(const DeviceMapping&) const = default;
-};
-
 /// A recorded hand motion, from a text file.
 struct ReplayMotion {
   static constexpr MotionText text{"replay", "a recorded hand motion from a text file", "replayed motion"};
 
   std::string file;                        ///< relative to the scenario's directory
   LogLayout layout = LogLayout::rows;      ///< names of columns, and so a time column, are of layout rows
-  std::optional<std::string> time_column;  ///< seconds; time zero is the first sample kept
-  std::optional<double> rate_hz;           ///< instead of time_column: samples at this rate, > 0
+  std::optional<std::string> time_column;  ///< time zero is the first sample kept
+  /// Of time_column; default: what its name says ("time_ms", "t [us]", "timeNs"), else seconds.
+  std::optional<TimeUnit> time_unit;
+  std::optional<double> rate_hz;  ///< instead of time_column: samples at this rate, > 0
+  /// Beside rate_hz: whole numbers that count the samples, also those that are missing. Time zero is the
+  /// first sample kept. Default: every row is one sample later than the row before it.
+  std::optional<std::string> frame_column;
+  std::optional<RowFilter> where;  ///< rows that count; default: all
   std::array<std::string, 3> position_columns = {"x", "y", "z"};
   LengthUnit position_unit = LengthUnit::m;
   std::optional<std::array<std::string, 4>> quaternion_columns;  ///< x, y, z, w; default: mount alone
@@ -111,8 +80,9 @@ struct ReplayMotion {
   double start_s = 0.0;         ///< log time, from the first row, where the replay begins, >= 0
   std::optional<double> end_s;  ///< log time where it ends; default: the last row
   Interpolation interpolation = Interpolation::linear;
-  double max_gap_s = 0.25;  ///< longer gaps between rows are held, then counted; > 0
-  double jump_m = 0.02;     ///< a step between two samples longer than this is counted as a jump; > 0
+  double max_gap_s = 0.25;    ///< longer gaps between rows are held, then counted; > 0
+  double jump_m = 0.02;       ///< a step between two samples longer than this is counted as a jump; > 0
+  double jump_speed_m_s = 2;  ///< and one that is faster as a fast step: no hand at work is; > 0
   std::optional<DeviceOpening> opening;  ///< of a clamp, which needs it
 
   std::optional<double> knownDuration_s() const { return std::nullopt; }  ///< only the log says

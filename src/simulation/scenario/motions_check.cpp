@@ -62,6 +62,7 @@ void checkColumns(Checker check, const ReplayMotion& motion) {
   if (motion.quaternion_columns)
     columns.insert(motion.quaternion_columns->begin(), motion.quaternion_columns->end());
   if (motion.time_column) columns.insert(*motion.time_column);
+  if (motion.frame_column) columns.insert(*motion.frame_column);
   for (const std::string& column : columns) {
     if (column.empty()) return check.fail("", "has a column without a name, expected names of columns");
     if (columns.count(column) > 1) {
@@ -76,6 +77,10 @@ void checkPath(Checker check, const ReplayMotion& motion, const std::optional<Cl
                 motion.layout == LogLayout::rows
                     ? "expected exactly one of time_column and rate_hz"
                     : "expected rate_hz, which says when the samples of layout axes were");
+  check.require(!motion.time_unit || motion.time_column, "time_unit",
+                "is given without time_column, expected that column's name too");
+  check.require(!motion.frame_column || !motion.time_column, "frame_column",
+                "is given beside time_column, expected rate_hz with it");
   if (motion.rate_hz) check.positive("rate_hz", *motion.rate_hz);
   checkColumns(check, motion);
   Checker mapping = check.in("mapping");
@@ -93,6 +98,7 @@ void checkPath(Checker check, const ReplayMotion& motion, const std::optional<Cl
   }
   check.positive("max_gap_s", motion.max_gap_s);
   check.positive("jump_m", motion.jump_m);
+  check.positive("jump_speed_m_s", motion.jump_speed_m_s);
   checkOpenings(check, motion, clamp);
 }
 

@@ -43,12 +43,21 @@ void describe(Io& io, DeviceMapping& m) {
 }
 
 template <class Io>
+void describe(Io& io, RowFilter& f) {
+  io.required("column", f.column);
+  io.required("equals", f.equals);
+}
+
+template <class Io>
 void describe(Io& io, ReplayMotion& m) {
   io.required("file", m.file);
   io.choice("layout", m.layout, catalog().log_layouts);
   const bool rows = m.layout == LogLayout::rows;
   io.fieldIf(rows, "layout rows", "time_column", m.time_column);
+  io.choiceIf(rows, "layout rows", "time_unit", m.time_unit, catalog().time_units);
   io.field("rate_hz", m.rate_hz);
+  io.fieldIf(rows, "layout rows", "frame_column", m.frame_column);
+  io.fieldIf(rows, "layout rows", "where", m.where);
   io.fieldIf(rows, "layout rows", "position_columns", m.position_columns);
   io.choice("position_unit", m.position_unit, catalog().length_units);
   io.fieldIf(rows, "layout rows", "quaternion_columns", m.quaternion_columns);
@@ -59,6 +68,7 @@ void describe(Io& io, ReplayMotion& m) {
   io.choice("interpolation", m.interpolation, catalog().interpolations);
   io.field("max_gap_s", m.max_gap_s);
   io.field("jump_m", m.jump_m);
+  io.field("jump_speed_m_s", m.jump_speed_m_s);
 }
 
 }  // namespace fissure

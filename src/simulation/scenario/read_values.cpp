@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/utf8.h"
 #include "scenario/compose.h"
 #include "scenario/scenario.h"
 #include "text/did_you_mean.h"
@@ -77,10 +78,7 @@ void readText(const YamlNode& node, const std::string& path, std::string& value)
   if (!node.quoted && scalarKind(node.text) != ScalarKind::text) {
     wrongNode(node, path, "a text (in quotes where it looks like a number or a truth value)");
   }
-  const auto control = [](unsigned char c) { return c < 0x20 || c == 0x7f; };
-  if (std::any_of(node.text.begin(), node.text.end(), control)) {
-    wrongNode(node, path, "one line without control characters");
-  }
+  if (!isPlainLine(node.text)) wrongNode(node, path, "one line without control characters");
   value = node.text;
 }
 

@@ -136,7 +136,8 @@ constexpr double max_steps = 1e8;
 /// One thing wrong with a scenario; `path` as in `tools.spatula.shape.size_m` or `pipelines.0.sweeps`.
 struct Problem {
   std::string path;
-  std::string message;  ///< what is wrong and what was expected
+  std::string message;                   ///< what is wrong and what was expected
+  std::vector<std::string> others = {};  ///< paths of what else it is about
 };
 
 /// Checks every value and every relation between them that needs no file. Empty: the scenario can be run.

@@ -3,8 +3,8 @@
 #include <fnmatch.h>
 
 #include "scenario/read_nested.h"
+#include "scenario/yaml_document.h"
 #include "text/scalars.h"
-#include "text/text_file.h"
 
 namespace fissure {
 
@@ -46,7 +46,7 @@ ToleranceRule Tolerances::of(const std::string& quantity, const std::string& pip
 }
 
 Tolerances loadTolerances(const std::filesystem::path& file) {
-  const YamlNode root = parseYaml(readTextFile(file), inFile(file, 1));
+  const YamlNode root = parseYaml(readYamlFile(file), inFile(file, 1));
   Tolerances tolerances;
   readValue(root, "", tolerances);
   if (tolerances.format != 1)

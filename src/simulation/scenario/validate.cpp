@@ -4,8 +4,10 @@
 #include <set>
 
 #include "base/steps.h"
+#include "base/utf8.h"
 #include "scenario/checker.h"
 #include "scenario/rigid_tools.h"
+#include "scenario/summary_keys.h"
 #include "text/scalars.h"
 
 namespace fissure {
@@ -21,6 +23,7 @@ constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
 /// `seen`: names that are taken; the list's are added.
 template <class Item, class Check>
 void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
+  if (tooMany(check, items.size())) return;
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = items[i].name;
     const bool good = isName(name);
@@ -149,6 +152,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
   checkFriction(check.in("tools"), scenario);
   checkJawNames(check.in("tools"), scenario.tools);
   checkCouplings(check.in("tools"), scenario);
+  checkSummaryKeys(check, scenario);
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 
@@ -178,9 +182,8 @@ std::vector<Problem> validate(const Scenario& scenario) {
   check.require(scenario.format == 1, "format", "is " + std::to_string(scenario.format) + ", expected 1");
   check.require(isName(scenario.name), "name",
                 "is \"" + scenario.name + "\", expected 1 to 64 letters, digits, '_' or '-'");
-  const bool one_line = std::none_of(scenario.description.begin(), scenario.description.end(),
-                                     [](unsigned char c) { return c < 0x20 || c == 0x7f; });
-  check.require(one_line, "description", "has line ends or control characters, expected one line of text");
+  check.require(isPlainLine(scenario.description), "description",
+                "has line ends or control characters, expected one line of text");
   checkTime(check.in("time"), scenario.time);
   checkSurroundings(check, scenario);
   check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");

@@ -6,6 +6,7 @@
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -16,6 +17,12 @@
 namespace fissure {
 
 namespace {
+
+/// No map of a scenario, a sweep or tolerances has a hundredth of it. Looking a key up takes a walk over
+/// them.
+constexpr std::size_t most_keys = 10000;
+
+constexpr std::uintmax_t most_file_bytes = std::uintmax_t{4} << 20;
 
 /// The origin `offset` lines below `first`.
 Origin lineFrom(const Origin& first, int offset) {
@@ -51,20 +58,21 @@ class TreeBuilder : public YAML::EventHandler {
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                        YAML::EmitterStyle::value) override {
     check(mark, tag, anchor);
-    open_.push_back({start(YamlNode::Kind::list, mark), std::nullopt});
+    open_.push_back({start(YamlNode::Kind::list, mark), std::nullopt, {}});
   }
   void OnSequenceEnd() override { close(); }
   void OnMapStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   YAML::EmitterStyle::value) override {
     check(mark, tag, anchor);
-    open_.push_back({start(YamlNode::Kind::map, mark), std::nullopt});
+    open_.push_back({start(YamlNode::Kind::map, mark), std::nullopt, {}});
   }
   void OnMapEnd() override { close(); }
 
  private:
   struct Open {
     YamlNode node;
-    std::optional<YamlNode> key;  ///< of a map, while its value is awaited
+    std::optional<YamlNode> key;       ///< of a map, while its value is awaited
+    std::map<std::string, int> lines;  ///< of a map's keys so far
   };
 
   Origin at(const YAML::Mark& mark) const { return lineFrom(first_, mark.line); }
@@ -98,7 +106,7 @@ class TreeBuilder : public YAML::EventHandler {
       root_ = std::move(node);
       return;
     }
-    auto& [parent, key] = open_.back();
+    auto& [parent, key, lines] = open_.back();
     if (parent.kind == YamlNode::Kind::map) {
       if (!key) {
         addKey(std::move(node));
@@ -114,11 +122,15 @@ class TreeBuilder : public YAML::EventHandler {
   void addKey(YamlNode key) {
     if (key.kind != YamlNode::Kind::scalar)
       failAt(key.origin, "a key that is not a word, expected `key: value`");
-    if (const YamlNode* first = open_.back().node.find(key.text)) {
+    Open& map = open_.back();
+    const auto [first, fresh] = map.lines.emplace(key.text, key.origin.line);
+    if (!fresh) {
       failAt(key.origin, "duplicate key \"" + key.text + "\", first written in line " +
-                             std::to_string(first->origin.line) + ", expected it once");
+                             std::to_string(first->second) + ", expected it once");
     }
-    open_.back().key = std::move(key);
+    if (map.lines.size() > most_keys)
+      failAt(key.origin, "more than " + std::to_string(most_keys) + " keys in one map, expected fewer");
+    map.key = std::move(key);
   }
 
   Origin first_;
@@ -150,6 +162,10 @@ std::string oneLine(std::string message) {
 
 void failAt(const Origin& origin, const std::string& message) {
   throw InputError({origin.kind, oneLine(origin.file), origin.line, oneLine(origin.path)}, oneLine(message));
+}
+
+std::string readYamlFile(const std::filesystem::path& file) {
+  return readTextFile(file, most_file_bytes);
 }
 
 const YamlNode* YamlNode::find(const std::string& key_wanted) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -31,10 +32,14 @@ struct YamlNode {
   YamlNode* find(const std::string& key_wanted);
 };
 
+/// The text of a file that somebody wrote as YAML: a scenario, a sweep, tolerances. Throws InputError as
+/// readTextFile does, and about a file of more than 4 MiB.
+std::string readYamlFile(const std::filesystem::path& file);
+
 /// Reads one YAML document; text without a value gives a node of kind nothing. Its first line is at `first`:
 /// line 1 of a file, or an override, which stands for every line. Throws InputError with the origin
-/// for text that is not UTF-8 or not YAML, and for duplicate keys, anchors, tags, tabs as indentation and a
-/// second document.
+/// for text that is not UTF-8 or not YAML, and for duplicate keys, more than 10,000 keys in one map,
+/// anchors, tags, tabs as indentation and a second document.
 YamlNode parseYaml(const std::string& text, const Origin& first);
 
 /// The node on one line, as YAML in flow style that reads back to an equal one.

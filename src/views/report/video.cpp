@@ -1,10 +1,9 @@
 #include "report/video.h"
 
-#include <fstream>
-#include <iterator>
 #include <string_view>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "report/base64.h"
 
 namespace fissure {
@@ -22,17 +21,14 @@ std::string typeOf(std::string_view bytes) {
 
 std::string videoUri(const std::filesystem::path& file) {
   const std::string name = file.string();
+  requireInputFile(file, "a video");
   std::error_code error;
-  if (!std::filesystem::is_regular_file(file, error))
-    throw InputError(inFile(name), "no such file, expected a video");
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (size > most_video_bytes)
     throw InputError(inFile(name), std::to_string(size / 1000000) + " MB, expected a video of at most " +
                                        std::to_string(most_video_bytes / 1000000) +
                                        " MB: it becomes part of the page");
-  std::ifstream stream(file, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream || bytes.size() != size) throw InputError(inFile(name), "cannot be read");
+  const std::string bytes = readInputFile(file, "a video");
   const std::string type = typeOf(bytes);
   if (type.empty()) throw InputError(inFile(name), "no video that browsers play, expected MP4 or WebM");
   return "data:" + type + ";base64," + base64(bytes);

@@ -42,6 +42,8 @@ constexpr Counted counted[] = {
      "the log that [] replays has {} held samples: the device stood still, or repeated "
      "its last place"},
     {"_replay_jumps", "the log that [] replays has {} jumps, farther in one sample than a hand moves"},
+    {"_replay_fast_steps", "the log that [] replays has {} steps faster than jump_speed_m_s: no hand is"},
+    {"_replay_rows_beyond_reason", "{} rows of the log that [] replays have numbers that are no measurement"},
     {"_replay_dropped_rows", "{} rows of the log that [] replays were dropped"},
     {"_replay_repeated_rows", "{} rows of the log that [] replays repeat a time"},
     {"_replay_saturated_openings", "{} samples of the log that [] replays are beyond the opening's limits"},

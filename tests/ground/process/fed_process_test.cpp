@@ -34,6 +34,16 @@ void feed(const std::string& script, const std::string& argument = "", int times
   shell.finish();
 }
 
+// It reads nothing after its first bytes, so that the pipe fills.
+TEST_F(FedProcessTest, OneThatTakesNothingIsGivenUp) {
+  FedProcess shell("/bin/sh", {"-c", "exec sleep 1000"}, -1, 1);
+  const auto feed_it = [&] {
+    for (int i = 0; i < 10; ++i) shell.write(megabyte);
+  };
+  EXPECT_THROW(feed_it(), RunError);
+  EXPECT_THROW(shell.finish(), RunError);
+}
+
 std::string failureOf(const std::string& script, int times = 1) {
   try {
     feed(script, "", times);

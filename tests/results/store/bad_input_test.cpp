@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "sample_run.h"
+#include "store/read_series.h"
 #include "store/result_file.h"
 #include "store/salvage.h"
 
@@ -48,8 +49,8 @@ void withH5py(const std::filesystem::path& path, const std::string& mode, const 
 
 TEST(BadInput, MissingFileAndFolder) {
   const TemporaryFolder folder;
-  EXPECT_EQ(complaintAbout(folder / "none.h5"), "no such file");
-  expectStart(complaintAbout(folder.path()), "not a file");
+  EXPECT_EQ(complaintAbout(folder / "none.h5"), "no such file, expected a fissure result");
+  EXPECT_EQ(complaintAbout(folder.path()), "is a folder, expected a fissure result");
 }
 
 TEST(BadInput, NoHdf5File) {
@@ -87,6 +88,34 @@ TEST(BadInput, UnknownStatus) {
   withH5py(part, "a", "f['pipelines/default'].attrs['status'] = 'melted'");
   expectStart(complaintAbout(part), unknown);
   EXPECT_THROW(inspectPart(part), InputError) << "it is not known whether there is anything to salvage";
+}
+
+// A few hundred bytes claim 2^28 texts, of which none is stored: nothing is made for them.
+TEST(BadInput, MoreTextsThanAreStored) {
+  const TemporaryFolder folder;
+  const auto path = writeResult(folder);
+  withH5py(path, "a",
+           "del f['provenance/scenario_resolved']; f['provenance'].create_dataset('scenario_resolved', "
+           "(2**28,), h5py.string_dtype(), chunks=(1024,))");
+  expectStart(complaintAbout(path), "a damaged or truncated HDF5 file (a dataset states ");
+  withH5py(path, "a",
+           "del f['provenance/scenario_resolved']; f['provenance'].create_dataset('scenario_resolved', "
+           "(2**22,), h5py.string_dtype(), chunks=(1024,))");
+  expectStart(complaintAbout(path), "a damaged or truncated HDF5 file (a dataset states ");
+}
+
+TEST(BadInput, MoreNumbersThanAreStored) {
+  const TemporaryFolder folder;
+  const auto path = folder / "a.h5";
+  withH5py(path, "w",
+           "f.create_dataset('none', (2**33,), chunks=(1024,)); f.create_dataset('few', (2**23,), "
+           "chunks=(1024,)); "
+           "f['few'][5] = 1; "
+           "f.create_dataset('ones', (20000000,), 'u1', chunks=(1000000,), compression='gzip', fillvalue=0); "
+           "f['ones'][:] = 1");
+  EXPECT_THROW(readSeries(path, "none"), InputError);
+  EXPECT_THROW(readSeries(path, "few"), InputError);
+  EXPECT_EQ(readSeries(path, "ones").values.size(), 20000000u) << "well compressed";
 }
 
 // Cut anywhere, a result is refused, never half read.

@@ -286,7 +286,7 @@ TEST(SweepTable, SaysWhatIsWrongWithAFile) {
   const TemporaryFolder folder;
   const auto path = folder / "sweep.h5";
   const auto said = [&] { return complaint([&] { SweepTable table(path); }); };
-  EXPECT_EQ(said(), path.string() + ": no such file");
+  EXPECT_EQ(said(), path.string() + ": no such file, expected a fissure sweep");
   std::ofstream(path) << "no HDF5";
   EXPECT_NE(said().find(": not an HDF5 file, expected a fissure sweep ("), std::string::npos) << said();
   const SampleRun run = makeSampleRun(3, false);

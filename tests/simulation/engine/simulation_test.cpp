@@ -1,6 +1,7 @@
 #include "engine/simulation.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,6 +10,7 @@
 #include "contact/grid_nodes.h"
 #include "mesh/primitives.h"
 #include "scenario/catalog.h"
+#include "scene/fixed_vertices.h"
 #include "scene/place.h"
 
 namespace fissure::simulation_test {
@@ -330,6 +332,50 @@ TEST(Simulation, SoftBodiesMeetAsAsked) {
   EXPECT_LT(gapAfterFall(SoftContact::none), 0.02) << "nothing holds the upper one: through";
   EXPECT_GT(gapAfterFall(SoftContact::vertices), 0.03);
   EXPECT_GT(gapAfterFall(SoftContact::clusters), 0.03);
+}
+
+/// Two spheres in one mesh, 2 mm apart.
+SurfaceShape twoShells() {
+  TrianglesShape shape;
+  for (const double x : {-0.031, 0.031}) {
+    TriangleMesh sphere = makeSphere(0.03, 1);
+    const int first = static_cast<int>(shape.vertices_m.size());
+    for (const Vec3& vertex : sphere.vertices_m) shape.vertices_m.push_back(vertex + Vec3(x, 0, 0));
+    for (const Face& face : sphere.faces)
+      shape.faces.push_back({first + face[0], first + face[1], first + face[2]});
+  }
+  return shape;
+}
+
+// Bullet would look for ever for the neighbour that joins the pieces of the lower body: its two shells, or
+// the fixed vertices whose neighbours are all fixed.
+TEST(Simulation, BodiesInPiecesMeetOthers) {
+  ::alarm(120);
+  for (const bool shells : {true, false}) {
+    Scenario scenario = press();
+    scenario.tools.clear();
+    scenario.bodies.push_back(scenario.bodies[0]);
+    BodySettings &lower = scenario.bodies[0], &upper = scenario.bodies[1];
+    if (shells)
+      lower.shape = twoShells();
+    else
+      lower.fixed = {{.below_m = 0.03}};
+    upper.name = "upper";
+    upper.position_m.y() = 0.095;
+    for (BodySettings& body : scenario.bodies) body.soft_contact = SoftContact::vertices;
+    const PipelineSettings entry{.name = "default", .pipeline = PipelineKind::default_sdf};
+    Scene scene = sceneOf(scenario, false);
+    for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+      scene.bodies[b].fixed_vertices = fixedVertices(scenario.bodies[b], scene.bodies[b].rest);
+    auto simulation = makeSimulation(scenario, entry, scene, {});
+    for (int i = 0; i < 120; ++i) simulation->step({});
+    double lowest_m = 1;
+    const std::vector<Vec3>& positions_m = simulation->state().positions_m;
+    for (std::size_t i = static_cast<std::size_t>(scene.bodies[1].first_vertex); i < positions_m.size(); ++i)
+      lowest_m = std::min(lowest_m, positions_m[i].y());
+    EXPECT_GT(lowest_m, 0.02) << (shells ? "two shells" : "fixed") << ": held from below";
+  }
+  ::alarm(0);
 }
 
 // Free fall for a body without ground or tool: v = g t, and Bullet's semi-implicit Euler y = -g dt^2 n (n +

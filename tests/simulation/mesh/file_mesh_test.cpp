@@ -2,6 +2,8 @@
 #include "mesh/file_mesh.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/error.h"
 #include "defect_lines.h"
@@ -45,13 +47,64 @@ class MeshFile : public testing::Test {
   TemporaryFolder folder_;
 };
 
+std::string replaced(std::string text, char what, const std::string& with) {
+  for (std::size_t at = 0; (at = text.find(what, at)) != std::string::npos; at += with.size())
+    text.replace(at, 1, with);
+  return text;
+}
+
+// Assimp ends a line at each of these; the material library of asObj does not exist.
+TEST_F(MeshFile, AnyLineEndOfObjHidesMaterials) {
+  const TriangleMesh mesh = ball();
+  for (const std::string end : {"\n", "\r\n", "\r", "\f"}) {
+    const TriangleMesh read = readMeshFile(folder_.write("a.obj", replaced(asObj(mesh), '\n', end)));
+    EXPECT_EQ(read.faces.size(), mesh.faces.size());
+  }
+}
+
+// A pipe that nobody writes to: opening it would never end.
+TEST_F(MeshFile, NoOtherFileIsOpened) {
+  const std::filesystem::path pipe = folder_.path() / "materials";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ::alarm(60);
+  const std::string mesh = asObj(ball());
+  for (const std::string line : {"\rmtllib ", "\n\tmtllib ", "\nmtllib\t", "\f mtllib "})
+    EXPECT_NO_THROW(readMeshFile(folder_.write("a.obj", mesh + line + pipe.string() + "\n")));
+  EXPECT_EQ(
+      refusal("b.obj", mesh + "mtl\\\nlib " + pipe.string() + "\n").rfind("cannot be read as a mesh (", 0),
+      0u);
+  ::alarm(0);
+}
+
+// Assimp skips what follows them up to the next line feed.
+TEST_F(MeshFile, OddLineEndsOfPlyAreRefused) {
+  const TriangleMesh mesh = ball();
+  EXPECT_EQ(readMeshFile(folder_.write("a.ply", replaced(asTextPly(mesh), '\n', "\r\n"))).faces.size(),
+            mesh.faces.size());
+  for (const std::string end : {"\r", "\f"}) {
+    const std::string text = replaced(plyHeader(mesh, "ascii"), '\n', end);
+    EXPECT_NE(refusal("b.ply", text + indexedText(mesh)).find("within a line"), std::string::npos);
+    EXPECT_NE(refusal("c.ply", plyHeader(mesh, "ascii") + replaced(indexedText(mesh), '\n', end) + "\n")
+                  .find("within a line"),
+              std::string::npos);
+  }
+}
+
+TEST_F(MeshFile, CommentsOfOffEndAtAnyLineEnd) {
+  const TriangleMesh mesh = ball();
+  for (const std::string end : {"\n", "\r"}) {
+    const std::string text = "OFF# of nothing" + end + asOff(mesh).substr(4);
+    EXPECT_EQ(readMeshFile(folder_.write("a.off", text)).faces.size(), mesh.faces.size());
+  }
+}
+
 TEST_F(MeshFile, EveryFormatGivesTheSameTriangles) {
   const TriangleMesh mesh = ball();
   const std::vector<std::pair<std::string, std::string>> files = {
       {"a.stl", asBinaryStl(mesh)}, {"b.STL", asTextStl(mesh)},   {"c.obj", asObj(mesh)},
       {"d.ply", asTextPly(mesh)},   {"e.ply", asBinaryPly(mesh)}, {"f.off", asOff(mesh)}};
   for (const auto& [name, bytes] : files) {
-    TriangleMesh read = readMeshFile(folder_.write(name, bytes));
+    TriangleMesh read = readMeshFile(folder_.write(name, bytes)).mesh;
     ASSERT_EQ(read.faces.size(), mesh.faces.size()) << name;
     for (std::size_t f = 0; f < mesh.faces.size(); ++f)
       for (std::size_t k = 0; k < 3; ++k)
@@ -67,7 +120,7 @@ TEST_F(MeshFile, PolygonsBecomeTriangles) {
   const std::string quads =
       "OFF\n8 6 12\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 0 1\n1 0 1\n1 1 1\n0 1 1\n"
       "4 0 3 2 1\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n";
-  const TriangleMesh cube = readMeshFile(folder_.write("cube.off", quads));
+  const TriangleMesh cube = readMeshFile(folder_.write("cube.off", quads)).mesh;
   EXPECT_EQ(cube.faces.size(), 12u);
   EXPECT_EQ(findDefects(cube), std::vector<std::string>{});
   EXPECT_NEAR(signedVolume_m3(cube), 1, 1e-6);
@@ -76,7 +129,7 @@ TEST_F(MeshFile, PolygonsBecomeTriangles) {
 TEST_F(MeshFile, SeveralSolidsAreOneSurface) {
   TriangleMesh other = ball();
   for (Vec3& v : other.vertices_m) v *= 2;
-  const TriangleMesh both = readMeshFile(folder_.write("two.stl", asTextStl(ball()) + asTextStl(other)));
+  const TriangleMesh both = readMeshFile(folder_.write("two.stl", asTextStl(ball()) + asTextStl(other))).mesh;
   EXPECT_EQ(both.faces.size(), 2 * other.faces.size());
   EXPECT_EQ(both.vertices_m[both.faces.back()[2]], other.vertices_m[other.faces.back()[2]]);
 }

@@ -175,6 +175,19 @@ TEST_F(RunTest, WithoutFramesNoRendererIsMade) {
   EXPECT_TRUE(sink.snapshot_times.empty());
 }
 
+// The positions stay finite: after one step all vertices fall at 1e4 m/s, and 1e306 kg of them have 5e313 J.
+TEST_F(RunTest, AKineticEnergyThatIsNotFiniteEndsTheRun) {
+  scenario.tools.clear();
+  scenario.bodies[0].mass_kg = 1e306;
+  scenario.world.gravity_m_s2 = Vec3(0, -1e6, 0);
+  scenario.time.duration_s = 0.1;
+  scenario.pipelines = {{.name = "default", .pipeline = PipelineKind::default_sdf}};
+  const RunStatus status = execute();
+  EXPECT_EQ(nameOf(status.end), "non_finite");
+  EXPECT_EQ(status.detail, "the kinetic energy of the tissue is not finite at step 1 (t = 0.01 s)");
+  EXPECT_EQ(sink.rows.size(), 2u);
+}
+
 TEST_F(RunTest, ANonFiniteStateEndsTheRunAndSaysWhenAndWhere) {
   scenario.bodies[0].solver.pressure = 1e200;  // blows the body up until squared lengths overflow
   scenario.world.max_displacement_m = 1e300;

@@ -288,7 +288,7 @@ TEST_F(BadFile, MissingFile) {
 
 TEST_F(BadFile, Folder) {
   std::filesystem::create_directories(folder_ / "sub");
-  EXPECT_EQ(loadError("sub"), "sub: is a folder, expected a file");
+  EXPECT_EQ(loadError("sub"), "sub: is a folder, expected a text file");
 }
 
 TEST_F(BadFile, Empty) {

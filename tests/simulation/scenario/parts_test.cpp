@@ -94,7 +94,7 @@ TEST(CatalogTables, NamesAreUniqueAndDescribed) {
         &c.clamp_openings, &c.node_placements, &c.motions,       &c.timings,      &c.interpolations,
         &c.settings,       &c.precisions,      &c.responses,     &c.length_units, &c.rates,
         &c.deformations,   &c.aero_models,     &c.soft_contacts, &c.mesh_repairs, &c.device_axes,
-        &c.log_layouts,    &c.device_frames}) {
+        &c.log_layouts,    &c.device_frames,   &c.time_units}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));
@@ -159,6 +159,10 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.length_units, LengthUnit::m), "m");
   EXPECT_EQ(at(c.length_units, LengthUnit::mm), "mm");
   EXPECT_EQ(at(c.length_units, LengthUnit::cm), "cm");
+  EXPECT_EQ(at(c.time_units, TimeUnit::s), "s");
+  EXPECT_EQ(at(c.time_units, TimeUnit::ms), "ms");
+  EXPECT_EQ(at(c.time_units, TimeUnit::us), "us");
+  EXPECT_EQ(at(c.time_units, TimeUnit::ns), "ns");
 }
 
 TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {

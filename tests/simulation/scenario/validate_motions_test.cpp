@@ -83,6 +83,20 @@ TEST(Validate, Replays) {
       {"tools.hand.motion.end_s", [](Scenario& s) { replay(s).end_s = 0; }},
       {"tools.hand.motion.max_gap_s", [](Scenario& s) { replay(s).max_gap_s = 0; }},
       {"tools.hand.motion.jump_m", [](Scenario& s) { replay(s).jump_m = nan; }},
+      {"tools.hand.motion.jump_speed_m_s", [](Scenario& s) { replay(s).jump_speed_m_s = 0; }},
+      {"tools.hand.motion.frame_column", [](Scenario& s) { replay(s).frame_column = "Frame"; }},
+      {"tools.hand.motion.time_unit",
+       [](Scenario& s) {
+         replay(s).time_column.reset();
+         replay(s).rate_hz = 60;
+         replay(s).time_unit = TimeUnit::ms;
+       }},
+      {"tools.hand.motion",
+       [](Scenario& s) {
+         replay(s).time_column.reset();
+         replay(s).rate_hz = 60;
+         replay(s).frame_column = "x";
+       }},
   });
   for (const auto& good : {axes("x", "-z", "y"), axes("-x", "-y", "z"), axes("y", "z", "x")}) {
     Scenario s = full();

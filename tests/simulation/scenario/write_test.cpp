@@ -82,6 +82,12 @@ const char* const every_field =
     "      interpolation: monotone_cubic\n"
     "      max_gap_s: 0.1\n"
     "      jump_m: 0.01\n"
+    "      jump_speed_m_s: 3\n"
+    "      time_unit: us\n"
+    "      where: {column: State, equals: \"1\"}\n"
+    "  - name: hand3\n"
+    "    shape: {type: box, size_m: [1, 1, 1]}\n"
+    "    motion: {type: replay, file: my log (1).csv, rate_hz: 60, frame_column: Frame}\n"
     "  - name: hand2\n"
     "    shape: {type: box, size_m: [1, 1, 1]}\n"
     "    motion: {type: replay, file: my log (1).csv, layout: axes, rate_hz: 999.5, mapping: {frame: "
@@ -208,7 +214,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
 TEST_F(RoundTrip, MotionsReachTheirPlace) {
   write("my log (1).csv", "t\n0\n");
   const Scenario s = loadScenario(write("every.yaml", every_field)).scenario;
-  ASSERT_EQ(s.tools.size(), 3u);
+  ASSERT_EQ(s.tools.size(), 4u);
   EXPECT_EQ(s.tools[0].nodes.resolution, (std::array<int, 2>{9, 5}));
   EXPECT_EQ(s.tools[0].nodes.narrow_rows, 4);
   EXPECT_EQ(s.tools[0].friction, 0.15);
@@ -233,13 +239,21 @@ TEST_F(RoundTrip, MotionsReachTheirPlace) {
   replay.interpolation = Interpolation::monotone_cubic;
   replay.max_gap_s = 0.1;
   replay.jump_m = 0.01;
+  replay.jump_speed_m_s = 3;
+  replay.time_unit = TimeUnit::us;
+  replay.where = RowFilter{"State", "1"};
   EXPECT_EQ(std::get<ReplayMotion>(s.tools[1].motion), replay);
   ReplayMotion raw;
   raw.file = "my log (1).csv";
   raw.layout = LogLayout::axes;
   raw.rate_hz = 999.5;
   raw.mapping.frame = DeviceFrame::chai3d;
-  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion), raw);
+  EXPECT_EQ(std::get<ReplayMotion>(s.tools[3].motion), raw);
+  ReplayMotion counted;
+  counted.file = "my log (1).csv";
+  counted.rate_hz = 60;
+  counted.frame_column = "Frame";
+  EXPECT_EQ(std::get<ReplayMotion>(s.tools[2].motion), counted);
 }
 
 TEST(Write, WritesEveryDefaultAndLeavesOutWhatHasNoValue) {

@@ -1,0 +1,78 @@
+#include "text/terminal_text.h"
+
+#include <array>
+#include <cstdint>
+#include <cstdio>
+#include <ostream>
+
+#include "base/utf8.h"
+
+namespace fissure {
+
+namespace {
+
+std::string writtenOut(const char* format, std::uint32_t number) {
+  std::array<char, 16> text = {};
+  std::snprintf(text.data(), text.size(), format, static_cast<unsigned>(number));
+  return text.data();
+}
+
+}  // namespace
+
+PlainTextBuffer::~PlainTextBuffer() {
+  for (const char byte : begun_) put(writtenOut("\\x%02x", static_cast<unsigned char>(byte)));
+}
+
+bool PlainTextBuffer::put(std::string_view text) {
+  const auto size = static_cast<std::streamsize>(text.size());
+  return to_.sputn(text.data(), size) == size;
+}
+
+PlainTextBuffer::int_type PlainTextBuffer::overflow(int_type c) {
+  if (traits_type::eq_int_type(c, traits_type::eof())) return traits_type::not_eof(c);
+  const char byte = traits_type::to_char_type(c);
+  return xsputn(&byte, 1) == 1 ? c : traits_type::eof();
+}
+
+std::streamsize PlainTextBuffer::xsputn(const char* text, std::streamsize size) {
+  const std::string all = begun_ + std::string(text, static_cast<std::size_t>(size));
+  begun_.clear();
+  std::string_view left = all;
+  std::size_t shown = 0;  // of `left`, what can go on as it is
+  const auto flush = [&] {
+    const bool good = put(left.substr(0, shown));
+    left.remove_prefix(shown);
+    shown = 0;
+    return good;
+  };
+  while (shown < left.size()) {
+    const Utf8Start start = utf8Start(left.substr(shown));
+    const bool line_or_tab = start.character == '\n' || start.character == '\t';
+    if (start.isWhole() && (line_or_tab || !isControl(start.character))) {
+      shown += start.bytes;
+      continue;
+    }
+    if (!flush()) return 0;
+    if (start.kind == Utf8Start::Kind::unfinished) {
+      begun_ = left;
+      return size;
+    }
+    const bool good = put(start.isWhole() ? writtenOut("\\u%04x", start.character)
+                                          : writtenOut("\\x%02x", static_cast<unsigned char>(left[0])));
+    if (!good) return 0;
+    left.remove_prefix(start.bytes);
+  }
+  return flush() ? size : 0;
+}
+
+PlainOutput::PlainOutput(std::ostream& stream)
+    : stream_(stream), before_(stream.rdbuf()), plain_(*stream.rdbuf()) {
+  stream_.rdbuf(&plain_);
+}
+
+PlainOutput::~PlainOutput() {
+  stream_.flush();
+  stream_.rdbuf(before_);
+}
+
+}  // namespace fissure
