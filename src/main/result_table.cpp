@@ -22,12 +22,13 @@ struct Column {
   const char* format;
 };
 
-constexpr std::array<Column, 14> columns = {{
+constexpr std::array<Column, 15> columns = {{
     {{"worst", "depth", "mm"}, "max_penetration_depth_m", 1e3, "%.3f"},
     {{"with in-", "version", "mm"}, "max_inversion_aware_depth_m", 1e3, "%.3f"},
     {{"final", "depth", "mm"}, "final_penetration_depth_m", 1e3, "%.3f"},
     {{"passed", "through", "samples"}, "passed_through_samples", 1, "%.0f"},
     {{"inside-", "out tri-", "angles"}, "max_inverted_triangles", 1, "%.0f"},
+    {{"steps", "not", "proved"}, "uncertified_steps", 1, "%.0f"},
     {{"below", "ground", "mm"}, "max_ground_depth_m", 1e3, "%.3f"},
     {{"peak", "force", "N"}, "max_force_N", 1, "%.3f"},
     {{"peak re-", "action", "N"}, "max_reaction_N", 1, "%.4g"},

@@ -64,7 +64,7 @@ TEST(Run, PrintsAnAlignedTable) {
     EXPECT_NE(lines[row][verdict - 3], ' ') << outcome.out;
   }
   EXPECT_EQ(lines.back(), "result: out.h5");
-  EXPECT_EQ(lines[lines.size() - 2].substr(0, 40), "reaction: of a shell of springs, which st");
+  EXPECT_EQ(lines[lines.size() - 2].substr(0, 31), "reaction: of a shell of springs");
   const std::vector<std::string> cells = wordsOf(lines[4].substr(0, verdict));
   ASSERT_EQ(cells.size(), 16u) << lines[4];
   EXPECT_EQ(cells[0], "fukuhara");

@@ -10,13 +10,17 @@ import numpy as np
 
 UNITS = {"s", "us", "m", "m2", "m3", "m s-1", "N", "J", "kg m s-1", "degree", "1"}
 ROW_AXES = {"time", "snapshot_time", "frame_time"}
-ENDINGS = ("_m", "_N", "_s", "_us", "_hz", "_J", "_m_s")  # of summary values, which have no units attribute
-WITHOUT_UNIT = [r"(force_roughness|roughness_same_triangles)(_\w+)?", r"collision_share", r"real_time_factor"]
-COUNTS = [r"steps", r"rays", r"ray_triangle_tests", r"tool_samples", r"passed_through_samples", r"contacts_total",
+ENDINGS = ("_m", "_N", "_s", "_us", "_hz", "_J", "_m_s", "_m_s2")  # of summary values, which have no units attribute
+WITHOUT_UNIT = [r"(force_roughness|roughness_same_triangles)(_\w+)?", r"collision_share", r"real_time_factor",
+                r"node_spacing_over_edge"]
+COUNTS = [r"steps", r"(contact|unsound|oblique|certified|uncertified)_steps", r"first_(unsound|uncertified)_step",
+          r"rays", r"ray_triangle_tests", r"tool_samples", r"passed_through_samples", r"contacts_total",
           r"max_contact_count", r"max_inverted_triangles", r"displacement_(pushes|sweeps)", r"fixed_vertices",
           r"saturated_steps(_\w+)?", r"(force_)?non_finite_at_step(_\w+)?",
-          r"\w+_replay_(samples|held_samples|gaps|jumps|dropped_rows|repeated_rows|saturated_openings)"]
-TEXTS = [r"final_state_hash", r"not_measured", r"repairs"]
+          r"\w+_replay_(samples|held_samples|gaps|jumps|dropped_rows|repeated_rows|saturated_openings|"
+          r"rows_beyond_reason|filtered_rows|fast_steps)"]
+TEXTS = [r"final_state_hash", r"not_measured", r"repairs", r"untouched_tools", r"unsound_tissue",
+         r"first_uncertified"]
 
 
 def is_scale(dataset):

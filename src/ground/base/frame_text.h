@@ -6,15 +6,17 @@
 
 namespace fissure {
 
-/// What a picture says of its step, metres; no value where it is not measured.
-struct FrameDepths {
-  std::optional<double> depth_m;            ///< penetration depth
+/// What a picture says of its step; no value where it is not measured.
+struct FrameMeasures {
+  std::optional<double> depth_m;            ///< penetration depth, metres
   std::optional<double> inversion_aware_m;  ///< the same with inverted tissue
   std::optional<double> ground_m;           ///< of tissue below the ground
+  std::optional<double> certified;          ///< 0: the step's end is not proved free of overlap
 };
 
 /// The lines of text in a picture of a run: its name, the simulated time and the penetration depth; where
-/// they are 0.01 mm or more, also what inverted tissue adds to it, and how deep tissue stands in the ground.
-std::vector<std::string> frameText(const std::string& run, double time_s, const FrameDepths& depths);
+/// they are 0.01 mm or more, also what inverted tissue adds to it, and how deep tissue stands in the ground;
+/// and whether overlap is not excluded where the depth does not show it.
+std::vector<std::string> frameText(const std::string& run, double time_s, const FrameMeasures& depths);
 
 }  // namespace fissure

@@ -10,7 +10,7 @@ namespace {
 
 /// Series certified: 1 where the end of the step is proved free of overlap (Certifier). Scalars
 /// certified_steps and uncertified_steps, which count the recorded steps, the initial state among them;
-/// first_uncertified_step, missing where all are proved, and first_uncertified, what is in its way.
+/// where not all are proved, first_uncertified_step and first_uncertified, what is in its way.
 class CertificateProbe : public Probe {
  public:
   explicit CertificateProbe(const Scene& scene) : certifier_(scene) {}
@@ -29,7 +29,7 @@ class CertificateProbe : public Probe {
     row[column_] = objection ? 0 : 1;
     ++(objection ? uncertified_ : certified_);
     if (objection && first_.empty()) {
-      first_step_ = static_cast<double>(state.step);
+      first_step_ = state.step;
       first_ = objection->what;
       if (objection->time < 1) {
         char share[32];
@@ -43,15 +43,16 @@ class CertificateProbe : public Probe {
     const bool sampled = certified_ + uncertified_ > 0;
     summary.push_back(countOrMissing("certified_steps", sampled, certified_));
     summary.push_back(countOrMissing("uncertified_steps", sampled, uncertified_));
+    if (first_.empty()) return;
     summary.push_back({"first_uncertified_step", first_step_});
-    if (!first_.empty()) summary.push_back({"first_uncertified", first_});
+    summary.push_back({"first_uncertified", first_});
   }
 
  private:
   Certifier certifier_;
   std::size_t column_ = 0;
   long long certified_ = 0, uncertified_ = 0;
-  double first_step_ = kMissing;
+  long long first_step_ = 0;
   std::string first_;
 };
 

@@ -64,6 +64,13 @@ Verdict verdictOf(const Summary& summary) {
     add(VerdictGrade::doubtful, "never touched tissue", verdict);
   else if (!passed && !inverted && !unsound)
     add(VerdictGrade::held, formatted(*depth_m > 0 ? "held to %.2f mm" : "held", 1e3 * *depth_m), verdict);
+  if (const auto steps = numberIn(summary, "uncertified_steps");
+      verdict.grade != VerdictGrade::failed && steps) {
+    if (*steps > 0)
+      add(VerdictGrade::doubtful, formatted("%.0f steps not proved", *steps), verdict);
+    else if (*steps == 0 && verdict.grade == VerdictGrade::held)
+      add(VerdictGrade::held, "proved", verdict);
+  }
   if (passed) add(VerdictGrade::failed, "passed through", verdict);
   if (inverted) add(VerdictGrade::failed, "inverted", verdict);
   if (unsound) add(VerdictGrade::failed, "unsound tissue", verdict);
@@ -78,6 +85,10 @@ std::vector<Remark> remarksOf(const Summary& summary) {
     remarks.push_back({true, "unsound tissue, first in step " +
                                  formatted("%.0f: ", numberIn(summary, "first_unsound_step").value_or(0)) +
                                  problem});
+  if (const std::string what = textIn(summary, "first_uncertified"); !what.empty())
+    remarks.push_back(
+        {false, "overlap is not excluded, first in step " +
+                    formatted("%.0f: ", numberIn(summary, "first_uncertified_step").value_or(0)) + what});
   if (const std::string tools = textIn(summary, "untouched_tools"); !tools.empty())
     remarks.push_back({true, "never touched tissue: " + tools});
   const double coverage_m = numberIn(summary, "sample_coverage_m").value_or(0);

@@ -18,7 +18,8 @@ enum class VerdictGrade {
   failed,    ///< the tool went in, or tissue is no tissue any more
 };
 
-/// What the measures of a run say, in words: "held to 0.06 mm", "12.05 mm inside, inverted".
+/// What the measures of a run say, in words: "held to 0.06 mm", "held, proved" where every step is certified,
+/// "12.05 mm inside, inverted".
 struct Verdict {
   VerdictGrade grade = VerdictGrade::held;
   std::string text;  ///< "-" where no tool was measured
@@ -32,7 +33,7 @@ struct Remark {
   std::string text;
 };
 
-/// Unsound tissue, tools that met none, samples coarser than the depth claimed, nodes too wide apart for the
+/// Unsound tissue, the first step that is not certified, tools that met no tissue, samples coarser than the depth claimed, nodes too wide apart for the
 /// tissue, narrow rows that were dragged obliquely.
 std::vector<Remark> remarksOf(const Summary& summary);
 

@@ -189,11 +189,12 @@ State SnapshotReader::at(std::size_t snapshot) const {
   return state;
 }
 
-FrameDepths SnapshotReader::depths(std::size_t snapshot) const {
+FrameMeasures SnapshotReader::depths(std::size_t snapshot) const {
   const auto value = [&](const char* name) {
     return run_.find(name) ? std::optional(row(name, stepOf(snapshot), {}).front()) : std::nullopt;
   };
-  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth")};
+  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth"),
+          value("certified")};
 }
 
 }  // namespace fissure

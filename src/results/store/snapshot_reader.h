@@ -29,7 +29,7 @@ class SnapshotReader {
   /// Positions, poses and node states of one snapshot; nothing of what else a step leaves behind.
   State at(std::size_t snapshot) const;
   /// What a picture of it says of depths.
-  FrameDepths depths(std::size_t snapshot) const;
+  FrameMeasures depths(std::size_t snapshot) const;
 
  private:
   const StoredQuantity& need(const std::string& name, std::vector<std::size_t> shape) const;

@@ -17,9 +17,6 @@ namespace {
 /// A quaternion shorter than this is no rotation: trackers write zeros when they see nothing.
 constexpr double shortest_quaternion = 1e-6;
 
-/// A time stamp beyond this is none: nanoseconds since 1970 are 2e18.
-constexpr double latest_date = 1e20;
-
 void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
   if (settings.time_column.has_value() == settings.rate_hz.has_value())
     throw InputError(
@@ -106,7 +103,7 @@ class LogReader {
   double readTime_s() {
     if (!hasStamps()) return static_cast<double>(row_) / *settings_.rate_hz;
     const double stamp = table_->number(time_column_);
-    if (!(std::abs(stamp) <= latest_date)) return std::numeric_limits<double>::quiet_NaN();
+    if (!std::isfinite(stamp)) return stamp;
     if (settings_.frame_column && stamp != std::floor(stamp))
       throw fault("frame " + formatReal(stamp) + " in column " + inQuotes(*settings_.frame_column) +
                   ", expected whole numbers");

@@ -61,12 +61,13 @@ std::string repairsOf(const Scene& scene) {
   return text;
 }
 
-FrameDepths depthsIn(const RecordLayout& layout, const RecordRow& row) {
+FrameMeasures depthsIn(const RecordLayout& layout, const RecordRow& row) {
   const auto value = [&](const char* name) {
     const Series* series = layout.find(name);
     return series ? std::optional(row[series->first_column]) : std::nullopt;
   };
-  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth")};
+  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth"),
+          value("certified")};
 }
 
 }  // namespace

@@ -64,6 +64,7 @@ std::vector<Row> rowsFor(const std::vector<PipelineResult>& runs) {
       {"final_penetration_depth_m", "Penetration at the end", "mm", 1e3, "%.3f"},
       {"passed_through_samples", "Tool samples passed through", "", 1, "%.0f", true},
       {"max_inverted_triangles", "Triangles inverted at most", "", 1, "%.0f", true},
+      {"uncertified_steps", "Steps not proved free of overlap", "", 1, "%.0f", true},
       {"max_ground_depth_m", "Tissue below the ground", "mm", 1e3, "%.3f"},
       {"unsound_steps", "Steps with unsound tissue", "", 1, "%.0f", true},
   };
@@ -95,6 +96,7 @@ const std::vector<Row>& folderRows() {
       {"max_inversion_aware_depth_m", "With inversion", "mm", 1e3, "%.3f"},
       {"passed_through_samples", "Passed through", "", 1, "%.0f", true},
       {"max_inverted_triangles", "Inverted triangles", "", 1, "%.0f", true},
+      {"uncertified_steps", "Not proved", "", 1, "%.0f", true},
       {"max_ground_depth_m", "Below ground", "mm", 1e3, "%.3f"},
       {"max_force_N", "Largest force", "N", 1, "%.4g"},
       {"steps", "Steps", ""},

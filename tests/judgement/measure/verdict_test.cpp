@@ -42,6 +42,9 @@ TEST(Verdict, SaysHeldOnlyWhereNothingSpeaksAgainstIt) {
   expectVerdict(with("max_inverted_triangles", 3LL), VerdictGrade::failed, "inverted");
   expectVerdict(with("unsound_steps", 1LL), VerdictGrade::failed, "unsound tissue");
   expectVerdict(with("contact_steps", 0LL), VerdictGrade::doubtful, "never touched tissue");
+  expectVerdict(with("uncertified_steps", 0LL), VerdictGrade::held, "held, proved");
+  expectVerdict(with("uncertified_steps", 7LL), VerdictGrade::doubtful, "held, 7 steps not proved");
+  expectVerdict(with("uncertified_steps", NAN), VerdictGrade::held, "held");
   expectVerdict(with("max_ground_depth_m", 0.00565), VerdictGrade::doubtful, "held, 5.65 mm below ground");
 }
 

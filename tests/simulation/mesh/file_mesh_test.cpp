@@ -57,7 +57,7 @@ std::string replaced(std::string text, char what, const std::string& with) {
 TEST_F(MeshFile, AnyLineEndOfObjHidesMaterials) {
   const TriangleMesh mesh = ball();
   for (const std::string end : {"\n", "\r\n", "\r", "\f"}) {
-    const TriangleMesh read = readMeshFile(folder_.write("a.obj", replaced(asObj(mesh), '\n', end)));
+    const TriangleMesh read = readMeshFile(folder_.write("a.obj", replaced(asObj(mesh), '\n', end))).mesh;
     EXPECT_EQ(read.faces.size(), mesh.faces.size());
   }
 }
@@ -79,7 +79,7 @@ TEST_F(MeshFile, NoOtherFileIsOpened) {
 // Assimp skips what follows them up to the next line feed.
 TEST_F(MeshFile, OddLineEndsOfPlyAreRefused) {
   const TriangleMesh mesh = ball();
-  EXPECT_EQ(readMeshFile(folder_.write("a.ply", replaced(asTextPly(mesh), '\n', "\r\n"))).faces.size(),
+  EXPECT_EQ(readMeshFile(folder_.write("a.ply", replaced(asTextPly(mesh), '\n', "\r\n"))).mesh.faces.size(),
             mesh.faces.size());
   for (const std::string end : {"\r", "\f"}) {
     const std::string text = replaced(plyHeader(mesh, "ascii"), '\n', end);
@@ -94,7 +94,7 @@ TEST_F(MeshFile, CommentsOfOffEndAtAnyLineEnd) {
   const TriangleMesh mesh = ball();
   for (const std::string end : {"\n", "\r"}) {
     const std::string text = "OFF# of nothing" + end + asOff(mesh).substr(4);
-    EXPECT_EQ(readMeshFile(folder_.write("a.off", text)).faces.size(), mesh.faces.size());
+    EXPECT_EQ(readMeshFile(folder_.write("a.off", text)).mesh.faces.size(), mesh.faces.size());
   }
 }
 

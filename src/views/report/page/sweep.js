@@ -79,7 +79,8 @@ function holdSection() {
     shown = next;
   });
   section('Which pipeline holds', element('p', {}, element('label', {},
-    'A run holds when it finished and the tool was never deeper, inverted tissue included, than ',
+    'A run holds when it finished and the tool was never deeper' + (metricNamed('max_inversion_aware_depth_m')
+      ? ', inverted tissue included, than ' : ' than '),
     bound, ' mm.'), ' Shares are of the runs that were run.'), shown);
 }
 
