@@ -269,7 +269,7 @@ def draw_frames(arguments, names):
         print(told, flush=True)
     figure.tight_layout(pad=0.4)
     figure.savefig(FOLDER / "frames.png", dpi=100)
-    Image.open(FOLDER / "frames.png").convert("RGB").quantize(128).save(FOLDER / "frames.png", optimize=True)
+    Image.open(FOLDER / "frames.png").convert("RGB").quantize(256, Image.Quantize.MAXCOVERAGE).save(FOLDER / "frames.png", optimize=True)
 
 
 def check(arguments):
