@@ -42,13 +42,13 @@ Medians of a whole run, in one process:
 
 
 def truths():
-    subprocess.run([ROOT / "scripts/build", "release", "test_measure", "fissure-bench"], stdout=subprocess.DEVNULL, check=True)
+    subprocess.run([ROOT / "scripts/build", "release", "test_surface", "test_measure", "fissure-bench"], stdout=subprocess.DEVNULL, check=True)
     with tempfile.TemporaryDirectory() as folder:
         table = pathlib.Path(folder) / "table.csv"
         environment = os.environ | {"FISSURE_CERTIFICATE_TABLE": str(table), "FISSURE_CCD_QUERIES": str(QUERIES),
                                     "FISSURE_CERTIFICATE_SEQUENCES": str(SEQUENCES)}
-        tests = "ContinuousCollision.Misses*:Certifier.NeverProvesAnOverlap"
-        subprocess.run([ROOT / "build/release/tests/test_measure", f"--gtest_filter={tests}"], env=environment, check=True)
+        for program, tests in (("test_surface", "ContinuousCollision.Misses*"), ("test_measure", "Certifier.NeverProvesAnOverlap")):
+            subprocess.run([ROOT / "build/release/tests" / program, f"--gtest_filter={tests}"], env=environment, check=True)
         for line in table.read_text().splitlines():
             asked, queries, meet, undecided, safe = line.split(",")
             yield f"| {asked} | {int(queries):,} | {int(meet):,} | 0 | {int(undecided):,} | {int(safe):,} |"

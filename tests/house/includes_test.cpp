@@ -35,7 +35,7 @@ const std::vector<Wing> kWings = {
       {"run", {"scenario", "motion", "scene", "contact", "engine"}}}},
     {"results",
      {{"hdf5", {}}, {"store", {"hdf5"}}, {"table", {"hdf5", "store"}}, {"paraview", {"hdf5", "store"}}}},
-    {"judgement", {{"measure", {}}, {"compare", {}}}},
+    {"judgement", {{"surface", {}}, {"measure", {"surface"}}, {"compare", {}}}},
     {"views", {{"render", {}}, {"picture", {"render"}}, {"report", {}}}},
     {"experiments",
      {{"check", {}},
@@ -61,6 +61,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"store", {"base", "files", "law", "scenario"}},
     {"table", {"base", "text", "files"}},
     {"paraview", {"base", "files"}},
+    {"surface", {"base"}},
     {"measure", {"base", "scenario", "mesh"}},  // the judge shares no code with the judged
     {"compare", {"base", "text", "scenario", "store"}},
     {"render", {"base", "scenario"}},

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "measure/overlap.h"
+#include "surface/overlap.h"
 
 namespace fissure {
 

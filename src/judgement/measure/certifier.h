@@ -7,8 +7,8 @@
 
 #include "base/scene.h"
 #include "base/state.h"
-#include "measure/continuous_collision.h"
-#include "measure/surface_tree.h"
+#include "surface/continuous_collision.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 

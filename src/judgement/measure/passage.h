@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "measure/crossing.h"
+#include "surface/crossing.h"
 
 namespace fissure {
 

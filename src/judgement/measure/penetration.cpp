@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
-#include "measure/distance.h"
-#include "measure/winding.h"
+#include "surface/distance.h"
+#include "surface/winding.h"
 
 namespace fissure {
 

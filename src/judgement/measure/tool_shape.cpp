@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "measure/distance.h"
-#include "measure/winding.h"
+#include "surface/distance.h"
+#include "surface/winding.h"
 
 namespace fissure {
 

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "base/scene.h"
-#include "measure/surface_tree.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 

@@ -5,7 +5,7 @@
 
 #include "measure/penetration.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace {
 long long allocations = 0;

@@ -8,11 +8,11 @@
 #include <map>
 #include <random>
 
-#include "certificate_table.h"
 #include "exact_overlap.h"
 #include "measure/probe_makers.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/certificate_table.h"
+#include "surface/oracles.h"
 
 namespace fissure::certifier_test {
 

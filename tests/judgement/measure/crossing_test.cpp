@@ -1,5 +1,5 @@
 // Crossings of samples and triangles that both move far: none is missed, and few triangles are looked at.
-#include "measure/crossing.h"
+#include "surface/crossing.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "measure/penetration.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::crossing_test {
 

@@ -1,11 +1,11 @@
-#include "measure/distance.h"
+#include "surface/distance.h"
 
 #include <gtest/gtest.h>
 
 #include "measure/tool_shape.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
 #include "slow_penetration.h"
+#include "surface/oracles.h"
 
 namespace fissure::distance_test {
 

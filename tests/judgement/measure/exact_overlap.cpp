@@ -5,7 +5,7 @@
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
 
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::test {
 

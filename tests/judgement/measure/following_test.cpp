@@ -3,11 +3,11 @@
 
 #include <cmath>
 
-#include "measure/crossing.h"
 #include "measure/penetration.h"
-#include "measure/winding.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/crossing.h"
+#include "surface/oracles.h"
+#include "surface/winding.h"
 
 namespace fissure::following_test {
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 
 #include "measure/penetration.h"
-#include "measure/winding.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
+#include "surface/winding.h"
 
 namespace fissure::inversion_aware_test {
 

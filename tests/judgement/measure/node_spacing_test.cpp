@@ -7,7 +7,7 @@
 #include "contact/centroid_nodes.h"
 #include "contact/grid_nodes.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::node_spacing_test {
 

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "measure/penetration.h"
-#include "measure/winding.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
+#include "surface/winding.h"
 
 namespace fissure::passage_test {
 

@@ -7,8 +7,8 @@
 
 #include "measure/penetration.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
 #include "slow_penetration.h"
+#include "surface/oracles.h"
 
 namespace fissure::penetration_invariance_test {
 

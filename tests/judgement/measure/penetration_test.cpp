@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::penetration_test {
 

@@ -7,7 +7,7 @@
 
 #include "measure/final_state_probe.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::probes_test {
 

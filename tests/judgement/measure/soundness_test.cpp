@@ -4,7 +4,7 @@
 
 #include "measure/probes.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::soundness_test {
 

@@ -7,7 +7,7 @@
 
 #include "base/error.h"
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::tool_samples_test {
 

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/primitives.h"
-#include "oracles.h"
+#include "surface/oracles.h"
 
 namespace fissure::touch_test {
 

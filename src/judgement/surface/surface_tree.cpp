@@ -1,4 +1,4 @@
-#include "measure/surface_tree.h"
+#include "surface/surface_tree.h"
 
 #include <algorithm>
 #include <cassert>

@@ -1,4 +1,4 @@
-#include "measure/crossing.h"
+#include "surface/crossing.h"
 
 #include <algorithm>
 #include <array>

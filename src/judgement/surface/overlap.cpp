@@ -1,4 +1,4 @@
-#include "measure/overlap.h"
+#include "surface/overlap.h"
 
 #include <cmath>
 #include <numbers>

@@ -1,4 +1,4 @@
-#include "measure/distance.h"
+#include "surface/distance.h"
 
 #include <algorithm>
 #include <array>

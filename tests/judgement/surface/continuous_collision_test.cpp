@@ -1,4 +1,4 @@
-#include "measure/continuous_collision.h"
+#include "surface/continuous_collision.h"
 
 #include <gtest/gtest.h>
 
@@ -79,7 +79,7 @@ std::vector<Published> readPublished(const std::filesystem::path& file, bool edg
 
 TEST(ContinuousCollision, MissesNoneOfThePublishedMeetings) {
   const std::filesystem::path folder =
-      std::filesystem::path(FISSURE_SOURCE_DIR) / "tests/judgement/measure/ccd";
+      std::filesystem::path(FISSURE_SOURCE_DIR) / "tests/judgement/surface/ccd";
   long long asked = 0, met = 0, false_meetings = 0;
   for (const char* scene : {"erleben-sliding-wedge", "erleben-spikes", "erleben-wedges", "unit-tests"})
     for (const bool edges : {false, true}) {

@@ -1,4 +1,4 @@
-#include "measure/winding.h"
+#include "surface/winding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "measure/surface_tree.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 

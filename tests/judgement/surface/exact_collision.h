@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "measure/continuous_collision.h"
+#include "surface/continuous_collision.h"
 
 namespace fissure::test {
 

@@ -1,4 +1,4 @@
-#include "measure/continuous_collision.h"
+#include "surface/continuous_collision.h"
 
 #include <algorithm>
 #include <array>

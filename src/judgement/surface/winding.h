@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "measure/surface_tree.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 

@@ -4,7 +4,7 @@
 #include <limits>
 #include <span>
 
-#include "measure/surface_tree.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 
