@@ -31,6 +31,9 @@ double append(benchmark::State& out) {
       table[i][j] = std::round(1e9 * std::sin(static_cast<double>(i * i + j)));
     }
   }
+  for (const Series& series : layout.series())
+    for (std::size_t i = 0; series.type == ValueType::flag && i < table.size(); ++i)
+      for (std::size_t c = 0; c < series.columns; ++c) table[i][series.first_column + c] = i % 2 == 0 ? 0 : 1;
   const auto part =
       std::filesystem::temp_directory_path() / ("fissure-bench-" + std::to_string(getpid()) + ".part");
   const auto sink = createPartFile(part, {.scenario = scenario,

@@ -92,7 +92,8 @@ std::vector<Remark> remarksOf(const Summary& summary) {
   if (const std::string tools = textIn(summary, "untouched_tools"); !tools.empty())
     remarks.push_back({true, "never touched tissue: " + tools});
   const double coverage_m = numberIn(summary, "sample_coverage_m").value_or(0);
-  if (const auto depth_m = worstDepth_m(summary); depth_m && coverage_m > *depth_m)
+  const bool proved = numberIn(summary, "uncertified_steps").value_or(1) == 0;  // nothing hides between samples
+  if (const auto depth_m = worstDepth_m(summary); !proved && depth_m && coverage_m > *depth_m)
     remarks.push_back({coverage_m > 2 * kHeldDepth_m,
                        formatted("samples see depths to within %.2f mm: that much more may hide between them "
                                  "(measure.sample_spacing_m)",

@@ -78,6 +78,22 @@ TEST(Remarks, CoverageIsNoneWhereTheDepthClaimedIsLarger) {
   EXPECT_TRUE(remarksOf(summary).empty());
 }
 
+// Nothing hides between samples where overlap is excluded.
+TEST(Remarks, CoverageIsNoneWhereEveryStepIsProved) {
+  Summary summary = with("sample_coverage_m", 0.00053);
+  summary.push_back({"uncertified_steps", 0LL});
+  EXPECT_TRUE(remarksOf(summary).empty());
+}
+
+TEST(Remarks, NameTheFirstStepThatIsNotProved) {
+  Summary summary = with("first_uncertified", std::string("edge 1-2 of sphere may meet edge 0-1 of spatula"));
+  summary.push_back({"first_uncertified_step", 90LL});
+  const std::vector<Remark> remarks = remarksOf(summary);
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_EQ(remarks[0].text,
+            "overlap is not excluded, first in step 90: edge 1-2 of sphere may meet edge 0-1 of spatula");
+}
+
 TEST(ReactionNote, StandsWhereThereIsAReaction) {
   EXPECT_EQ(reactionNote(good()), "");
   EXPECT_EQ(reactionNote(with("max_reaction_N", NAN)), "");
