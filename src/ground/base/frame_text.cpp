@@ -24,7 +24,7 @@ std::vector<std::string> frameText(const std::string& run, double time_s, const 
   if (depths.ground_m.value_or(0) >= shown_m)
     lines.push_back(format("tissue %.2f mm below ground", 1000 * *depths.ground_m));
   if (depths.certified.value_or(1) == 0 && depths.depth_m.value_or(0) < shown_m)
-    lines.push_back("overlap not excluded");
+    lines.emplace_back("overlap not excluded");
   return lines;
 }
 

@@ -22,6 +22,11 @@ TEST(FrameText, SaysWhatADepthOf0Hides) {
                    "tissue 5.66 mm below ground"}));
   EXPECT_EQ(frameText("a", 0, {.depth_m = 0.001, .inversion_aware_m = 0.001, .ground_m = 1e-6}).size(), 3u);
   const double nan = std::numeric_limits<double>::quiet_NaN();
+  // A depth that shows needs no doubt beside it.
+  EXPECT_EQ(frameText("a", 0, {.depth_m = 0.0, .certified = 0.0}),
+            (Lines{"a", "t = 0.000 s", "depth = 0.00 mm", "overlap not excluded"}));
+  EXPECT_EQ(frameText("a", 0, {.depth_m = 0.001, .certified = 0.0}).size(), 3u);
+  EXPECT_EQ(frameText("a", 0, {.depth_m = 0.0, .certified = 1.0}).size(), 3u);
   EXPECT_EQ(frameText("a", 0, {.depth_m = nan, .inversion_aware_m = nan, .ground_m = nan}).size(), 3u);
 }
 
