@@ -19,10 +19,12 @@ namespace fissure {
 
 namespace {
 
-/// What the rules of a replay have found in its log: "replay: 1501 samples, 12 held samples, 0 gaps ..."
-void printReplay(const Motion& motion) {
+/// What the rules of a replay have found in its log: "replay: time in ms, 1501 samples, 12 held samples ..."
+void printReplay(const ToolMotion& settings, const Motion& motion) {
   const std::string prefix = "replay_";
   std::string counts;
+  if (const auto* replay = std::get_if<ReplayMotion>(&settings); replay && replay->timeUnit())
+    counts = "time in " + nameIn(catalog().time_units, *replay->timeUnit());
   for (const SummaryValue& value : motion.summary()) {
     std::string what = value.name.substr(value.name.starts_with(prefix) ? prefix.size() : 0);
     std::replace(what.begin(), what.end(), '_', ' ');
@@ -82,7 +84,7 @@ void printScene(const CheckedScenario& checked) {
     if (tool.clamp) printClamp(tool);
     const Motion& motion = *checked.prepared.motions[t];
     printPeaks(peaksOf(motion, scenario.time.step_s, checked.steps));
-    printReplay(motion);
+    printReplay(tool.motion, motion);
   }
   if (scenario.ground) std::cout << "  ground at " << scenario.ground->height_m << " m\n";
   if (!scenario.expect.empty()) std::cout << "  expect: " << scenario.expect.size() << " values\n";

@@ -123,7 +123,7 @@ TEST(BadFile, PipesAndDevicesAsOtherInputs) {
                   std::string(file) + ": is no regular file");
     expectRefused(runFissure(folder, {"compare", file, file}), "is no regular file");
   }
-  expectRefused(runFissure(folder, {"validate", "/proc/kmsg"}), "/proc/kmsg:1: empty");
+  expectRefused(runFissure(folder, {"validate", "/proc/kmsg"}), "/proc/kmsg: has size 0");
 }
 
 TEST(BadFile, NamesTooLongForWhatIsMadeBesideTheResult) {
@@ -169,7 +169,7 @@ TEST(BadFile, LogThatLastsForAges) {
   const Folder folder;
   folder.write("s.yaml",
                with(with(replayScenario(), "rate_hz: 1000", "time_column: t"), ", duration_s: 0.03", ""));
-  for (const std::string end : {"1e9", "1e300"}) {
+  for (const std::string end : {"1e9", "1e18"}) {
     folder.write("hand.csv", "t,x,y,z\n0,0,0.062,0\n" + end + ",0,0.06,0\n");
     expectRefused(runFissure(folder, {"plan", "s.yaml"}), "1e8 steps");
   }

@@ -36,12 +36,15 @@ TEST(Verbs, WhatCannotBePrintedIsNoSuccess) {
   const Folder folder;
   folder.write("s.yaml", pressScenario());
   for (const std::string words :
-       {"--help", "--version", "list", "plan s.yaml", "validate s.yaml", "run s.yaml"}) {
+       {"--help", "--version", "list", "plan s.yaml", "validate s.yaml", "run s.yaml -o r.h5", "info r.h5"}) {
     const Outcome outcome = runTool(folder, {"sh", "-c", fissureProgram() + " " + words + " > /dev/full"});
     EXPECT_EQ(outcome.code, 3) << words;
-    EXPECT_NE(outcome.err.find("standard output: cannot write"), std::string::npos) << words << outcome.err;
+    EXPECT_TRUE(outcome.err.ends_with("standard output: cannot write: No space left on device\n"))
+        << words << outcome.err;
   }
-  EXPECT_EQ(runTool(folder, {"sh", "-c", engineWorkerProgram() + " --help > /dev/full"}).code, 3);
+  const Outcome worker = runTool(folder, {"sh", "-c", engineWorkerProgram() + " --help > /dev/full"});
+  EXPECT_EQ(worker.code, 3);
+  EXPECT_EQ(worker.err, "error: standard output: cannot write: No space left on device\n");
 }
 
 TEST(Verbs, ListNamesTheWholeCatalog) {
@@ -65,6 +68,15 @@ TEST(Verbs, PlanShowsWhatALogHolds) {
   EXPECT_EQ(plan.code, 0) << plan.err;
   for (const char* count : {" samples, ", " held samples, ", " gaps, ", " jumps, ", " dropped rows, "})
     EXPECT_NE(plan.out.find(count), std::string::npos) << count << plan.out;
+  EXPECT_NE(plan.out.find("replay: time in s, "), std::string::npos) << plan.out;
+  const Folder folder;
+  std::string text = pressScenario();
+  const std::size_t from = text.find("      type: script\n"), to = text.find("pipelines:");
+  folder.write("s.yaml",
+               text.replace(from, to - from, "      {type: replay, file: a.csv, time_column: TIME_MS}\n"));
+  folder.write("a.csv", "TIME_MS,x,y,z\n0,0,0.062,0\n20,0,0.052,0\n");
+  EXPECT_NE(runFissure(folder, {"plan", "s.yaml"}).out.find("replay: time in ms, 2 samples"),
+            std::string::npos);
 }
 
 // 0.03 s of 1 ms steps: 30 steps, snapshots at 0, 10, 20 and 30 ms, frames at 0 and 20 ms.

@@ -14,9 +14,6 @@
 namespace fissure {
 namespace {
 
-/// A quaternion shorter than this is no rotation: trackers write zeros when they see nothing.
-constexpr double shortest_quaternion = 1e-6;
-
 void requireTimeBase(const ReplayMotion& settings, const std::string& where) {
   if (settings.time_column.has_value() == settings.rate_hz.has_value())
     throw InputError(
@@ -61,14 +58,22 @@ class LogReader {
     if (log_.filtered_rows.size() == row_)
       refuse(inQuotes(settings_.where->equals) + " in column " + inQuotes(settings_.where->column) +
              " (the first has " + inQuotes(first_filtered_) + "), expected some");
-    if (log_.rows.empty()) refuse("a pose, expected a number in each named column");
+    if (log_.rows.empty())
+      refuse("a pose" + (log_.beyond_reason.empty() ? ", expected a number in each named column"
+                                                    : ": " + log_.first_beyond_reason));
     return std::move(log_);
   }
 
  private:
   void findTime(const std::string& column) {
     time_column_ = table_->column(column);
-    unit_ = settings_.time_unit.value_or(timeUnitIn(column).value_or(TimeUnit::s));
+    const std::optional<TimeUnit> unit = settings_.timeUnit();
+    if (!unit)
+      throw InputError(inFile(table_->fileName(), named_->headerLine()),
+                       "column " + inQuotes(column) +
+                           " does not say clearly whether its unit is s, ms, us or ns, expected time_unit "
+                           "beside time_column");
+    unit_ = *unit;
   }
 
   void takeRow() {
@@ -102,7 +107,9 @@ class LogReader {
   /// Relative to the first row kept, once there is one.
   double readTime_s() {
     if (!hasStamps()) return static_cast<double>(row_) / *settings_.rate_hz;
-    const double stamp = table_->number(time_column_);
+    const double stamp =
+        reasonable(table_->number(time_column_), kReasonableStamp,
+                   settings_.frame_column ? *settings_.frame_column : *settings_.time_column);
     if (!std::isfinite(stamp)) return stamp;
     if (settings_.frame_column && stamp != std::floor(stamp))
       throw fault("frame " + formatReal(stamp) + " in column " + inQuotes(*settings_.frame_column) +
@@ -126,12 +133,14 @@ class LogReader {
     return InputError(inFile(table_->fileName(), table_->line()), text);
   }
 
-  /// A coordinate or part of a quaternion; NaN where there is none.
-  double measurement(std::size_t column, const std::string& name) {
-    const double value = table_->number(column);
-    if (!(std::abs(value) > kReasonable)) return value;
+  /// `value`, or NaN and a row beyond reason where it is larger than `most`. `column`: the name of its
+  /// column.
+  double reasonable(double value, double most, const std::string& column) {
+    if (!(std::abs(value) > most)) return value;
     if (log_.beyond_reason.empty())
-      log_.first_beyond_reason = fault(formatReal(value) + " in column " + inQuotes(name)).what();
+      log_.first_beyond_reason = fault(formatReal(value) + " in column " + inQuotes(column) +
+                                       " is no measurement (beyond " + formatReal(most) + ")")
+                                     .what();
     if (log_.beyond_reason.empty() || log_.beyond_reason.back() != row_) log_.beyond_reason.push_back(row_);
     return std::numeric_limits<double>::quiet_NaN();
   }
@@ -140,7 +149,8 @@ class LogReader {
     Vec3 position;
     for (int i = 0; i < 3; ++i) {
       const auto at = static_cast<std::size_t>(i);
-      position[i] = measurement(position_columns_[at], settings_.position_columns[at]);
+      position[i] =
+          reasonable(table_->number(position_columns_[at]), kReasonable, settings_.position_columns[at]);
     }
     return to_m_ * position;
   }
@@ -149,12 +159,14 @@ class LogReader {
   Quat readOrientation() {
     if (!settings_.quaternion_columns) return Quat::Identity();
     Eigen::Vector4d xyzw;
-    for (int i = 0; i < 4; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      xyzw[i] = measurement(quaternion_columns_[at], (*settings_.quaternion_columns)[at]);
-    }
-    if (xyzw.norm() > shortest_quaternion) return Quat(Eigen::Vector4d(xyzw / xyzw.norm()));
-    return Quat(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    for (int i = 0; i < 4; ++i) xyzw[i] = table_->number(quaternion_columns_[static_cast<std::size_t>(i)]);
+    const double largest = xyzw.cwiseAbs().maxCoeff();
+    if (!xyzw.allFinite() || largest == 0)
+      return Quat(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
+    // By a power of two, which rounds nothing: no square is too large or too small for a number then.
+    const int exponent = std::ilogb(largest);
+    for (double& part : xyzw) part = std::ldexp(part, -exponent);
+    return Quat(Eigen::Vector4d(xyzw / xyzw.norm()));
   }
 
   const ReplayMotion& settings_;

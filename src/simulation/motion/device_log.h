@@ -20,14 +20,17 @@ struct DeviceLog {
   std::vector<int> lines;                  ///< and its line, from 1
   std::vector<std::size_t> dropped_rows;   ///< rows without a pose
   std::vector<std::size_t> beyond_reason;  ///< of these, the rows with a number that is no measurement
-  std::string first_beyond_reason;  ///< which number that is in the first of them, and where; empty: none
+  std::string first_beyond_reason;  ///< where the first of them is, and what number it has; empty: none
   std::vector<std::size_t> repeated_rows;  ///< rows with the time stamp of a row kept before them
   std::vector<std::size_t> filtered_rows;  ///< rows that the settings' `where` leaves out
 };
 
-/// A coordinate beyond this many of its unit, and a part of a quaternion beyond it, is no measurement: some
-/// trackers write -3.7e28 where they see nothing.
+/// A coordinate beyond this many of its unit is no measurement: some trackers write -3.7e28 where they see
+/// nothing.
 inline constexpr double kReasonable = 1e6;
+
+/// Nor is a time stamp beyond this many of its unit, or such a frame: nanoseconds since 1970 are 1.8e18.
+inline constexpr double kReasonableStamp = 1e19;
 
 /// Reads a log. The rules:
 ///   - a row that `where` leaves out is not looked at;
@@ -37,7 +40,8 @@ inline constexpr double kReasonable = 1e6;
 ///   row kept; or else the row's index over rate_hz. A row that is dropped or left out still takes its time;
 ///   - a time stamp that was there before drops the later row; one before an earlier row's is an InputError,
 ///   because then no rule says which of the two is the motion;
-///   - quaternions are normalised. Frozen samples and jumps are kept as they are.
+///   - quaternions of any length but zero are normalised, fixed-point ones too. Frozen samples and jumps are
+///   kept as they are.
 /// `where`: the path of the settings in their file, for messages. Throws InputError, see makeMotion.
 DeviceLog readDeviceLog(const ReplayMotion& settings, const std::filesystem::path& file,
                         const std::string& where, const LogFiles& files);

@@ -100,8 +100,7 @@ void ReplayedMotion::count(const DeviceLog& log, const ReplayMotion& settings) {
   if (settings.where) summary_.push_back({"replay_filtered_rows", replayed(log.filtered_rows)});
   if (opening_) summary_.push_back({"replay_saturated_openings", saturated});
   if (log.beyond_reason.empty()) return;
-  notes_.push_back(log.first_beyond_reason + " is no measurement (beyond " + formatReal(kReasonable) +
-                   "): the first of " + std::to_string(log.beyond_reason.size()) +
+  notes_.push_back(log.first_beyond_reason + ": the first of " + std::to_string(log.beyond_reason.size()) +
                    " in the log, rows without a pose");
 }
 

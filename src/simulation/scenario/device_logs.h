@@ -17,7 +17,10 @@ constexpr double seconds(TimeUnit unit) {
   return sizes[static_cast<std::size_t>(unit)];
 }
 
-/// The unit of time at the end of a column's name: "time_ms", "t [us]", "stamp(ns)", "elapsed/s", "timeMs".
+/// The unit of time that a column's name says, in any case: "time_ms", "t [us]", "Time [ms] since start",
+/// "elapsed/s", "timeMs", "TIMEMS", "milliseconds"; seconds where it says none. Empty where it hints at
+/// something else: two units ("ns_to_ms"), a number of one ("t [100 ns]"), another one ("ticks"), another
+/// word in brackets.
 std::optional<TimeUnit> timeUnitIn(std::string_view column);
 
 /// Which rows of a log count.

@@ -66,7 +66,8 @@ struct ReplayMotion {
   std::string file;                        ///< relative to the scenario's directory
   LogLayout layout = LogLayout::rows;      ///< names of columns, and so a time column, are of layout rows
   std::optional<std::string> time_column;  ///< time zero is the first sample kept
-  /// Of time_column; default: what its name says ("time_ms", "t [us]", "timeNs"), else seconds.
+  /// Of time_column; default: what its name says ("time_ms", "t [us]", "timeNs"), else seconds. Needed where
+  /// the name hints at something else ("ticks", "t [100 ns]").
   std::optional<TimeUnit> time_unit;
   std::optional<double> rate_hz;  ///< instead of time_column: samples at this rate, > 0
   /// Beside rate_hz: whole numbers that count the samples, also those that are missing. Time zero is the
@@ -86,6 +87,10 @@ struct ReplayMotion {
   std::optional<DeviceOpening> opening;  ///< of a clamp, which needs it
 
   std::optional<double> knownDuration_s() const { return std::nullopt; }  ///< only the log says
+  /// Of time_column. Empty: there is none, or neither time_unit nor its name says the unit.
+  std::optional<TimeUnit> timeUnit() const {
+    return time_unit || !time_column ? time_unit : timeUnitIn(*time_column);
+  }
 
   bool operator==(const ReplayMotion&) const = default;
 };

@@ -2,6 +2,7 @@
 // seen, frame numbers for time.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "temporary_log.h"
@@ -97,16 +98,52 @@ TEST(TrackerLog, AFilterThatLeavesNothingSaysWhatThereIs) {
   EXPECT_NE(playError(tracker_text, settings).find("did you mean"), std::string::npos);
 }
 
-TEST(TrackerLog, AQuaternionBeyondReasonIsNoRotation) {
+// Trackers leave the time of what they do not see as they leave its pose.
+TEST(TrackerLog, AStampBeyondReasonIsNoTime) {
+  const std::string by_time = "t,x,y,z\n0,0,0,0\n-3.697314E28,0.01,0,0\n1e30,0.02,0,0\n0.1,0.03,0,0\n";
+  const auto timed_motion = play(by_time, timed());
+  EXPECT_EQ(count(*timed_motion, "replay_samples"), 2);
+  EXPECT_EQ(count(*timed_motion, "replay_dropped_rows"), 2);
+  EXPECT_EQ(count(*timed_motion, "replay_rows_beyond_reason"), 2);
+  EXPECT_DOUBLE_EQ(timed_motion->duration_s(), 0.1);
+  ASSERT_FALSE(timed_motion->notes().empty());
+  EXPECT_NE(timed_motion->notes()[0].find(
+                "log.csv:3: -3.697314e+28 in column \"t\" is no measurement (beyond 1e+19): the first of 2"),
+            std::string::npos)
+      << timed_motion->notes()[0];
+  ReplayMotion frames = rated(10);
+  frames.frame_column = "t";
+  const auto by_frame = play("t,x,y,z\n-3.697314E28,9,9,9\n5,0,0,0\n1e30,0.01,0,0\n6,0.02,0,0\n", frames);
+  EXPECT_EQ(count(*by_frame, "replay_samples"), 2);
+  EXPECT_EQ(count(*by_frame, "replay_rows_beyond_reason"), 2);
+  EXPECT_DOUBLE_EQ(by_frame->duration_s(), 0.1);
+  ReplayMotion epoch = timed();
+  epoch.time_unit = TimeUnit::ns;
+  EXPECT_NEAR(play("t,x,y,z\n1800000000000000000,0,0,0\n1800000000100000000,0,0,0\n", epoch)->duration_s(),
+              0.1, 1e-6)
+      << "nanoseconds since 1970";
+}
+
+TEST(TrackerLog, WithoutAnyReasonableRowSaysSo) {
+  EXPECT_EQ(playError("t,x,y,z\n0,1e30,0,0\n1,1e30,0,0\n", timed()).substr(0, 40),
+            "log.csv: none of its 2 rows has a pose: ");
+  EXPECT_TRUE(playError("t,x,y,z\n0,1e30,0,0\n1,1e30,0,0\n", timed())
+                  .ends_with("log.csv:2: 1e+30 in column \"x\" is no measurement (beyond 1e+06)"));
+}
+
+TEST(TrackerLog, AQuaternionOfAnyLengthButZeroIsARotation) {
   ReplayMotion settings = timed();
   settings.quaternion_columns = {"a", "b", "c", "d"};
   const auto motion = play(
       "t,x,y,z,a,b,c,d\n0,0,0,0,0,0,0,1\n0.1,0,0,0,1e160,1e160,0,0\n0.2,0,0,0,0,0,1e-160,1e-160\n"
-      "0.3,0,0,0,0,0,0,1000\n",
+      "0.3,0,0,0,0,0,0,1073741824\n0.4,0,0,0,0,0,0,0\n0.5,0,0,0,inf,0,0,1\n",
       settings);
-  EXPECT_EQ(count(*motion, "replay_samples"), 2);
-  EXPECT_EQ(count(*motion, "replay_dropped_rows"), 2);
-  EXPECT_EQ(count(*motion, "replay_rows_beyond_reason"), 1);
+  EXPECT_EQ(count(*motion, "replay_samples"), 4);
+  EXPECT_EQ(count(*motion, "replay_dropped_rows"), 2) << "of zeros, and infinite";
+  EXPECT_EQ(count(*motion, "replay_rows_beyond_reason"), 0);
+  const double half = std::sqrt(0.5);
+  EXPECT_TRUE(motion->poseAt(0.1).orientation.isApprox(Quat(0, half, half, 0)));
+  EXPECT_TRUE(motion->poseAt(0.3).orientation.isApprox(Quat::Identity()));
   for (double time_s = 0; time_s <= 0.3; time_s += 0.05)
     EXPECT_NEAR(motion->poseAt(time_s).orientation.norm(), 1, 1e-12) << time_s;
 }
@@ -126,12 +163,43 @@ TEST(TimeUnits, AreReadFromTheColumnsName) {
                                                   {"forms", 1},
                                                   {"time-msec", 1e-3},
                                                   {"ms", 1e-3},
+                                                  {"TIME_MS", 1e-3},
+                                                  {"Time_Ms", 1e-3},
+                                                  {"time_mS", 1e-3},
+                                                  {"milliseconds", 1e-3},
+                                                  {"Elapsed Microseconds", 1e-6},
+                                                  {"time_millis", 1e-3},
+                                                  {"t (msecs)", 1e-3},
+                                                  {"Time [ms] since start", 1e-3},
+                                                  {"Timems", 1e-3},
+                                                  {"deviceTimeMSec", 1e-3},
+                                                  {"timeMsUtc", 1e-3},
+                                                  {"time_us_", 1e-6},
+                                                  {"stamp.nsecs", 1e-9},
+                                                  {"T [\xce\xbcS]", 1e-6},
+                                                  {"seconds", 1},
+                                                  {"timestamps", 1},
+                                                  {"time (s) of day", 1},
                                                   {"t2ms", 1}};
   for (const auto& [name, unit] : names) {
     ReplayMotion settings;
     settings.time_column = name;
     const std::string text = std::string("x,y,z,") + name + "\n0,0,0,1000\n0.001,0,0,1200\n";
     EXPECT_NEAR(play(text, settings)->duration_s() / unit, 200, 1e-9) << name;
+  }
+}
+
+TEST(TimeUnits, AreAskedForWhereANameHintsAtAnother) {
+  for (const std::string name : {"time_min", "Time [h]", "ticks", "t [100 ns]", "time_100us", "ns_to_ms",
+                                 "Time (UTC)", "Millisekunden"}) {
+    ReplayMotion settings;
+    settings.time_column = name;
+    const std::string text = "# made today\nx;y;z;" + name + "\n0;0;0;1000\n0.001;0;0;1200\n";
+    EXPECT_EQ(playError(text, settings), "log.csv:2: column \"" + name +
+                                             "\" does not say clearly whether its unit is s, ms, us or ns, "
+                                             "expected time_unit beside time_column");
+    settings.time_unit = TimeUnit::ms;
+    EXPECT_DOUBLE_EQ(play(text, settings)->duration_s(), 0.2) << name;
   }
 }
 
