@@ -50,7 +50,7 @@ const std::vector<Wing> kWings = {
 /// Rooms that use less of the wings below than they could.
 const std::map<std::string, std::set<std::string>> kNarrow = {
     {"law", {"text"}},
-    {"scenario", {"base", "text"}},
+    {"scenario", {"base", "text", "files"}},
     {"motion", {"base", "text"}},
     {"mesh", {"base", "files"}},
     {"scene", {"base"}},

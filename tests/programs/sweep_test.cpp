@@ -357,7 +357,7 @@ TEST(BadSweeps, EmptyFileAndFoldersOfOthers) {
   ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
   EXPECT_NE(folder.read("out/manifest.json").find("\"directory\":\"..\""), std::string::npos)
       << "from the folder on, which was not there when it was planned: both can be moved";
-  expectRefused({"sweep", "empty.yaml", "-o", "o"}, "^empty.yaml:1: empty, expected a sweep");
+  expectRefused({"sweep", "empty.yaml", "-o", "o"}, "^empty.yaml: has size 0, expected a text file");
   expectRefused({"sweep", "none.yaml", "-o", "o"}, "^none.yaml: no such file");
   expectRefused({"sweep", "other.yaml", "-o", "out"},
                 "^out: holds the sweep \"sweep\", expected another folder");

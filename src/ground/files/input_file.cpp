@@ -31,7 +31,11 @@ class InputFile {
     if (!opened.open() || ::fstat(opened.number(), &found) != 0) failSystem();
     checkKind(found);
     const auto bytes = static_cast<std::uintmax_t>(found.st_size);
-    if (bytes > most_bytes) fail("is larger than " + std::to_string(most_bytes >> 20) + " MiB");
+    if (bytes > most_bytes) {
+      const std::string most = std::to_string(most_bytes >> 20) + " MiB";
+      throw InputError(inFile(file_),
+                       "is larger than " + most + ", expected " + expected_ + " of at most " + most);
+    }
     std::string text(bytes, '\0');
     if (bytes == 0) return text;
     std::size_t done = 0;

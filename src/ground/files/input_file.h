@@ -12,8 +12,8 @@ void requireInputFile(const std::filesystem::path& file, const std::string& expe
 
 /// The whole contents of a regular file of at most `most_bytes`, a multiple of 1 MiB, or of any size that
 /// memory holds. A file whose size is 0 is empty, whatever reading it would bring (those of /proc).
-/// Throws InputError about `file`: as requireInputFile, or it is larger, cannot be read, or grows or shrinks
-/// meanwhile.
+/// Throws InputError about `file`: as requireInputFile, or it is larger (the message says the limit), cannot
+/// be read, or grows or shrinks meanwhile.
 std::string readInputFile(const std::filesystem::path& file, const std::string& expected,
                           std::uintmax_t most_bytes = UINTMAX_MAX);
 

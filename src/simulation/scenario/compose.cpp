@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "text/did_you_mean.h"
 
 namespace fissure {
@@ -127,9 +128,10 @@ YamlNode composeFile(const std::string& text, const Path& file, std::vector<Path
   if (std::find(chain.begin(), chain.end(), identity) != chain.end()) {
     failAt(origin, "base " + base_file.string() + " leads back to itself, expected no cycle of bases");
   }
-  std::error_code ignored;
-  if (!std::filesystem::exists(base_file, ignored)) {
-    failAt(origin, "base " + base_file.string() + ": no such file, expected a scenario file");
+  try {
+    requireInputFile(base_file, "a scenario file");
+  } catch (const InputError& error) {
+    failAt(origin, "base " + base_file.string() + ": " + error.text());
   }
   bases.push_back(base_file);
   chain.push_back(identity);

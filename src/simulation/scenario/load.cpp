@@ -1,9 +1,9 @@
 #include "scenario/load.h"
 
-#include <system_error>
 #include <utility>
 
 #include "base/error.h"
+#include "files/input_file.h"
 #include "scenario/compose.h"
 #include "scenario/read.h"
 
@@ -29,16 +29,17 @@ std::string relativeToScenario(const std::string& name, const Origin& origin, co
 }
 
 /// Makes the name of an input start from the scenario's directory, in `root` too, and says which file it is.
-/// `path`: where the scenario names it; `kind`: what it should be.
+/// `path`: where the scenario names it; `kind`: what it should be, as "a mesh".
 Path resolve(std::string& name, const std::string& path, const char* kind, YamlNode& root,
              const Path& directory) {
   const Origin origin = locate(root, path);
   name = relativeToScenario(name, origin, directory);
   if (YamlNode* written = findNode(root, path)) written->text = name;
   Path file = directory / name;
-  std::error_code ignored;
-  if (!std::filesystem::is_regular_file(file, ignored)) {
-    failAt(origin, path + " is \"" + name + "\": no such file, expected a " + kind);
+  try {
+    requireInputFile(file, kind);
+  } catch (const InputError& error) {
+    failAt(origin, path + " is \"" + name + "\": " + error.text());
   }
   return file;
 }
@@ -54,7 +55,7 @@ std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
     std::visit(addFile, choice);
   };
   const auto addMesh = [&](SurfaceShape& shape, const std::string& path) {
-    add(shape, path + ".shape", "mesh");
+    add(shape, path + ".shape", "a mesh");
   };
   for (BodySettings& body : scenario.bodies) addMesh(body.shape, "bodies." + body.name);
   for (ToolSettings& tool : scenario.tools) {
@@ -63,7 +64,7 @@ std::vector<Path> resolveInputs(Scenario& scenario, YamlNode& root) {
     if (tool.clamp && tool.clamp->left_jaw) addMesh(tool.clamp->left_jaw->shape, path + ".clamp.left_jaw");
     for (std::size_t i = 0; tool.clamp && i < tool.clamp->handle.size(); ++i)
       addMesh(tool.clamp->handle[i].shape, path + ".clamp.handle." + std::to_string(i));
-    add(tool.motion, path + ".motion", "log");
+    add(tool.motion, path + ".motion", "a log");
   }
   return files;
 }

@@ -165,7 +165,9 @@ void failAt(const Origin& origin, const std::string& message) {
 }
 
 std::string readYamlFile(const std::filesystem::path& file) {
-  return readTextFile(file, most_file_bytes);
+  std::string text = readTextFile(file, most_file_bytes);
+  if (text.empty()) failAt(inFile(file), "has size 0, expected a text file");
+  return text;
 }
 
 const YamlNode* YamlNode::find(const std::string& key_wanted) const {

@@ -33,7 +33,7 @@ struct YamlNode {
 };
 
 /// The text of a file that somebody wrote as YAML: a scenario, a sweep, tolerances. Throws InputError as
-/// readTextFile does, and about a file of more than 4 MiB.
+/// readTextFile does, and about a file of more than 4 MiB or of size 0, as those of /proc are.
 std::string readYamlFile(const std::filesystem::path& file);
 
 /// Reads one YAML document; text without a value gives a node of kind nothing. Its first line is at `first`:

@@ -68,7 +68,7 @@ TEST_F(InputFiles, LargerOnesAreRefused) {
   std::ofstream(folder_ / "large").flush();
   fs::resize_file(folder_ / "large", (std::uintmax_t{3} << 20) + 1);
   EXPECT_EQ(complaintAbout(folder_ / "large", std::uintmax_t{3} << 20),
-            "is larger than 3 MiB, expected a mesh");
+            "is larger than 3 MiB, expected a mesh of at most 3 MiB");
   fs::resize_file(folder_ / "large", std::uintmax_t{3} << 20);
   EXPECT_EQ(complaintAbout(folder_ / "large", std::uintmax_t{3} << 20), "nothing");
 }

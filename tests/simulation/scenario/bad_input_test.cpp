@@ -293,7 +293,7 @@ TEST_F(BadFile, Folder) {
 
 TEST_F(BadFile, Empty) {
   write("a.yaml", "");
-  EXPECT_EQ(loadError("a.yaml"), "a.yaml:1: empty, expected a scenario");
+  EXPECT_EQ(loadError("a.yaml"), "a.yaml: has size 0, expected a text file");
   write("b.yaml", "# only a comment\n\n");
   EXPECT_EQ(loadError("b.yaml"), "b.yaml:1: empty, expected a scenario");
 }
@@ -319,6 +319,9 @@ TEST_F(BadFile, LogThatAReplayNamesIsMissing) {
                       "      rate_hz: 1000\n");
   EXPECT_EQ(loadError("a.yaml"),
             "a.yaml:14: tools.blade.motion.file is \"hand.csv\": no such file, expected a log");
+  EXPECT_EQ(loadError("a.yaml", {{"tools.blade.motion.file", "/dev/zero"}}),
+            "--set tools.blade.motion.file: tools.blade.motion.file is \"/dev/zero\": is no regular file, "
+            "expected a log");
   const std::filesystem::path log = write("hand.csv", "x,y,z\n0,0,0\n");
   const LoadedScenario loaded = loadScenario(folder_ / "a.yaml");
   EXPECT_EQ(loaded.inputs, (std::vector<std::filesystem::path>{folder_ / "a.yaml", log}));
@@ -340,6 +343,8 @@ TEST_F(BadFile, MeshThatABodyNames) {
   write("a.yaml", text(", file: organ.stl, unit: mm, repairs: [orient, cap_holes]"));
   EXPECT_EQ(loadError("a.yaml"),
             "a.yaml:6: bodies.organ.shape.file is \"organ.stl\": no such file, expected a mesh");
+  write("b.yaml", text(", file: ., unit: mm"));
+  EXPECT_EQ(loadError("b.yaml"), "b.yaml:6: bodies.organ.shape.file is \".\": is a folder, expected a mesh");
   const std::filesystem::path mesh = write("organ.stl", "solid");
   const LoadedScenario loaded = loadScenario(folder_ / "a.yaml");
   EXPECT_EQ(loaded.inputs, (std::vector<std::filesystem::path>{folder_ / "a.yaml", mesh}));

@@ -107,6 +107,8 @@ TEST_F(Base, CyclesAreErrors) {
 TEST_F(Base, MissingOrWrongBase) {
   write("top.yaml", "name: x\nbase: none.yaml\n");
   EXPECT_EQ(loadError("top.yaml"), "top.yaml:2: base none.yaml: no such file, expected a scenario file");
+  write("top.yaml", "name: x\nbase: .\n");
+  EXPECT_EQ(loadError("top.yaml"), "top.yaml:2: base .: is a folder, expected a scenario file");
   write("top.yaml", "name: x\nbase: [base.yaml]\n");
   EXPECT_EQ(loadError("top.yaml"), "top.yaml:2: base is no file name, expected one");
   write("top.yaml", "name: x\nbase:\n");

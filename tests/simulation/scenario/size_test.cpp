@@ -80,7 +80,7 @@ class SizeFiles : public ScenarioFiles {
 TEST_F(SizeFiles, OfAFile) {
   const std::string long_text =
       std::string(smallest_text) + "description: " + std::string(std::size_t{4} << 20, 'x');
-  EXPECT_EQ(errorOf(long_text), " is larger than 4 MiB, expected a text file");
+  EXPECT_EQ(errorOf(long_text), " is larger than 4 MiB, expected a text file of at most 4 MiB");
   write("base.yaml", long_text);
   EXPECT_NE(errorOf("base: base.yaml\n").find("is larger than 4 MiB"), std::string::npos);
 }
