@@ -20,6 +20,7 @@
 #include "store/part_file.h"
 #include "task/run_recorder.h"
 #include "task/task_order.h"
+#include "text/terminal_text.h"
 #include "text/text_file.h"
 
 namespace {
@@ -149,6 +150,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
 }
 
 int parseAndWork(int argc, const char* const* argv) {
+  PlainOutput plain_out(std::cout);
   CommandLine line(
       "fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
   std::string scenario, directory, pipeline, part, order, record;
@@ -161,7 +163,7 @@ int parseAndWork(int argc, const char* const* argv) {
   root.option("--record", record, "file for the sweep's record of it");
   const CommandLine::Outcome parsed = line.parse(argc, argv);
   if (parsed.done) {
-    if (!std::cout.flush()) throw RunError("standard output: cannot write");
+    plain_out.requireWritten("standard output");
     return exit_good;
   }
   if (!parsed.error.empty()) throw InputError(parsed.error);

@@ -1,7 +1,5 @@
 // The front program: verbs, exit codes, and the only place that prints errors.
-#include <cerrno>
 #include <csignal>
-#include <cstring>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -28,19 +26,10 @@ void setSignals() {
   std::signal(SIGCHLD, SIG_DFL);
 }
 
-/// What could not be printed must not look like success.
-void requireWritten(std::ostream& output) {
-  errno = 0;
-  if (output.flush()) return;
-  throw RunError(std::string("standard output: cannot write") +
-                 (errno == 0 ? "" : std::string(": ") + std::strerror(errno)));
-}
-
 int runVerb(const std::vector<Verb>& verbs) {
   int code = exit_usage;
   for (const Verb& verb : verbs)
     if (verb.command.given()) code = verb.action();
-  requireWritten(std::cout);
   return code;
 }
 
@@ -49,7 +38,7 @@ int fail(int code, const std::string& message) {
   return code;
 }
 
-int start(int argc, char** argv) {
+int parseAndRun(int argc, char** argv) {
   CommandLine command_line("fissure: batch experiments in soft-rigid contact with thin surgical tools",
                            "fissure");
   command_line.setVersion("fissure " + buildInfo().version + " (" + buildInfo().commit + ")");
@@ -65,10 +54,7 @@ int start(int argc, char** argv) {
                                    addCompare(app),    addRender(app),       addReport(app),
                                    addExport(app),     addFit(app),          addSalvage(app, words)};
   const CommandLine::Outcome parsed = command_line.parse(argc, argv);
-  if (parsed.done) {
-    requireWritten(std::cout);
-    return exit_good;
-  }
+  if (parsed.done) return exit_good;
   if (!parsed.error.empty()) return fail(exit_usage, "fissure: " + parsed.error + " (see fissure --help)");
   return runVerb(verbs);
 }
@@ -77,10 +63,13 @@ int start(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   // Names and texts of results and scenarios come from anywhere: none of them may command the terminal.
-  const PlainOutput plain_out(std::cout), plain_err(std::cerr);
+  PlainOutput plain_out(std::cout);
+  const PlainOutput plain_err(std::cerr);
   try {
     setSignals();
-    return start(argc, argv);
+    const int code = parseAndRun(argc, argv);
+    plain_out.requireWritten("standard output");
+    return code;
   } catch (const InputError& error) {
     return fail(exit_usage, error.what());
   } catch (const RunError& error) {

@@ -191,7 +191,7 @@ TEST(FullDisk, StandardOutput) {
   const Outcome outcome =
       runTool(folder, {"sh", "-c", "exec \"$1\" list > /dev/full", "sh", fissureProgram()});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_EQ(outcome.err, "standard output: cannot write\n");
+  EXPECT_EQ(outcome.err, "standard output: cannot write: No space left on device\n");
 }
 
 }  // namespace

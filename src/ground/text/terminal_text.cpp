@@ -1,10 +1,13 @@
 #include "text/terminal_text.h"
 
 #include <array>
+#include <cerrno>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <ostream>
 
+#include "base/error.h"
 #include "base/utf8.h"
 
 namespace fissure {
@@ -23,9 +26,20 @@ PlainTextBuffer::~PlainTextBuffer() {
   for (const char byte : begun_) put(writtenOut("\\x%02x", static_cast<unsigned char>(byte)));
 }
 
+bool PlainTextBuffer::noteError(bool good) {
+  if (!good && error_ == 0) error_ = errno;
+  return good;
+}
+
 bool PlainTextBuffer::put(std::string_view text) {
   const auto size = static_cast<std::streamsize>(text.size());
-  return to_.sputn(text.data(), size) == size;
+  errno = 0;
+  return noteError(to_.sputn(text.data(), size) == size);
+}
+
+int PlainTextBuffer::sync() {
+  errno = 0;
+  return noteError(to_.pubsync() == 0) ? 0 : -1;
 }
 
 PlainTextBuffer::int_type PlainTextBuffer::overflow(int_type c) {
@@ -68,6 +82,12 @@ std::streamsize PlainTextBuffer::xsputn(const char* text, std::streamsize size) 
 PlainOutput::PlainOutput(std::ostream& stream)
     : stream_(stream), before_(stream.rdbuf()), plain_(*stream.rdbuf()) {
   stream_.rdbuf(&plain_);
+}
+
+void PlainOutput::requireWritten(const std::string& name) {
+  if (stream_.flush()) return;
+  const int error = plain_.error();
+  throw RunError(name + ": cannot write" + (error == 0 ? "" : std::string(": ") + std::strerror(error)));
 }
 
 PlainOutput::~PlainOutput() {

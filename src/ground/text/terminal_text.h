@@ -17,16 +17,22 @@ class PlainTextBuffer : public std::streambuf {
   PlainTextBuffer(const PlainTextBuffer&) = delete;
   PlainTextBuffer& operator=(const PlainTextBuffer&) = delete;
 
+  /// The system's number of what kept the first text from being written; 0: nothing, or it does not say.
+  int error() const { return error_; }
+
  protected:
   int_type overflow(int_type c) override;
   std::streamsize xsputn(const char* text, std::streamsize size) override;
-  int sync() override { return to_.pubsync(); }
+  int sync() override;
 
  private:
   bool put(std::string_view text);
+  /// Notes the system's error unless `good`, which it returns.
+  bool noteError(bool good);
 
   std::streambuf& to_;
   std::string begun_;  ///< the first bytes of a character whose last ones have not come
+  int error_ = 0;
 };
 
 /// While it lives, what is written to a stream goes through a PlainTextBuffer.
@@ -36,6 +42,10 @@ class PlainOutput {
   ~PlainOutput();
   PlainOutput(const PlainOutput&) = delete;
   PlainOutput& operator=(const PlainOutput&) = delete;
+
+  /// Throws RunError about `name`, with the system's reason, unless all that was printed is written: that
+  /// must not look like success.
+  void requireWritten(const std::string& name);
 
  private:
   std::ostream& stream_;
