@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "base/counted.h"
 #include "main/comparison.h"
 #include "main/text_table.h"
 #include "text/units.h"
@@ -88,8 +89,7 @@ std::string countLine(const RunComparison& run) {
   std::size_t differing = 0, within = 0, equal = 0;
   for (const QuantityComparison& made : run.quantities)
     ++(!made.agrees ? differing : made.equal() ? equal : within);
-  std::string text =
-      std::to_string(differing) + (differing == 1 ? " quantity differs, " : " quantities differ, ");
+  std::string text = counted(differing, "quantity differs, ", "quantities differ, ");
   if (within > 0) text += std::to_string(within) + " are within their tolerance, ";
   const RunEnd end = run.a.run->status.end;
   return text + std::to_string(equal) + " are equal" + (end == RunEnd::ok ? "" : " (" + nameOf(end) + ")") +

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/counted.h"
 #include "main/text_table.h"
 #include "text/units.h"
 
@@ -14,10 +15,6 @@ using Json = nlohmann::ordered_json;
 
 std::string formulaOf(ForceModel law) {
   return std::string(entryOf(law).fit_formula);
-}
-
-std::string plural(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::vector<FitParameter> parametersOf(ForceModel law) {
@@ -51,7 +48,7 @@ std::string blockText(ForceModel law, const CurveFit& fit) {
                     fourDigits(of.lambda_over_k_s_m - of.lambda_over_k_half_width_s_m) + " to " +
                         fourDigits(of.lambda_over_k_s_m + of.lambda_over_k_half_width_s_m),
                     ""});
-  return fit.curve.name + ": " + formulaOf(law) + ", " + plural(of.points, "point") + "\n" +
+  return fit.curve.name + ": " + formulaOf(law) + ", " + counted(of.points, "point") + "\n" +
          alignedText(rows, 1) + "  RMS residual " + fourDigits(of.rms_N) + " N, R2 " +
          fourDigits(of.r_squared) + (of.converged ? "" : ", not converged") + "\n";
 }
@@ -118,9 +115,9 @@ Json fittedJson(ForceModel law, const LawFit& fit) {
 std::vector<std::string> curveNotes(const MeasuredCurve& curve) {
   std::vector<std::string> notes;
   if (curve.rows_without_numbers > 0)
-    notes.push_back("left out " + plural(curve.rows_without_numbers, "row") + " without numbers");
+    notes.push_back("left out " + counted(curve.rows_without_numbers, "row") + " without numbers");
   if (curve.rows_before_contact > 0)
-    notes.push_back("left out " + plural(curve.rows_before_contact, "row") + " before contact (depth < 0)");
+    notes.push_back("left out " + counted(curve.rows_before_contact, "row") + " before contact (depth < 0)");
   notes.insert(notes.end(), curve.warnings.begin(), curve.warnings.end());
   return notes;
 }

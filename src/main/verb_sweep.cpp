@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "batch/build_info.h"
 #include "batch/provenance.h"
@@ -82,17 +83,12 @@ std::string axisText(const SweepPoints& points, std::size_t axis) {
     least = std::min(least.value_or(*number), *number);
     most = std::max(most.value_or(*number), *number);
   }
-  std::string text = "  " + points.paths()[axis] + ": " + std::to_string(texts.size()) +
-                     (texts.size() == 1 ? " value" : " values");
+  std::string text = "  " + points.paths()[axis] + ": " + counted(texts.size(), "value");
   if (numeric) return text + ", " + formatReal(*least) + " to " + formatReal(*most);
   if (texts.size() > 6) return text;
   text += ":";
   for (const std::string& value : texts) text += " " + value;
   return text;
-}
-
-std::string counted(std::size_t count, const char* what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 void printPlan(const SweepPlan& plan, std::ostream& out) {

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "fit/fit_intervals.h"
 #include "fit/fit_problem.h"
@@ -35,8 +36,8 @@ void refuseTooFew(const FitData& data, const FitSettings& settings, const std::s
                      ", and nothing else is free, expected another coefficient to fit");
   if (free == 0) throw InputError("nothing is free, expected a coefficient to fit");
   if (points <= free)
-    throw InputError(std::to_string(points) + (points == 1 ? " point" : " points") + " for " +
-                     std::to_string(free) + " free coefficients, expected more points than these");
+    throw InputError(counted(points, "point") + " for " + std::to_string(free) +
+                     " free coefficients, expected more points than these");
 }
 
 /// Of a shape that is fixed.

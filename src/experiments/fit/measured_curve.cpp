@@ -9,6 +9,7 @@
 #include <string_view>
 #include <tuple>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "fit/depth_rates.h"
 #include "text/delimited_text.h"
@@ -351,7 +352,7 @@ std::string labelOf(const MeasuredCurve& curve) {
 
 MeasuredCurve joined(const std::vector<MeasuredCurve>& curves) {
   MeasuredCurve all;
-  all.name = std::to_string(curves.size()) + (curves.size() == 1 ? " curve" : " curves");
+  all.name = counted(curves.size(), "curve");
   const auto append = [](const std::vector<double>& from, std::vector<double>& to) {
     to.insert(to.end(), from.begin(), from.end());
   };

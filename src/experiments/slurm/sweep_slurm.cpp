@@ -5,6 +5,7 @@
 #include <ostream>
 #include <set>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "files/temporary_file.h"
 #include "process/progress_display.h"
@@ -205,8 +206,8 @@ Submitted SlurmSubmission::submit(const SweepPlan& plan, const std::vector<std::
                                   const SweepEstimate& estimate, std::ostream& out) {
   const ArrayScript script = choose(plan, tasks.size(), estimate, out);
   const std::string ranges = rangesOf(plan, tasks, script.shards);
-  out << "slurm: " << script.shards << (script.shards == 1 ? " shard" : " shards") << " with " << script.cpus
-      << (script.cpus == 1 ? " CPU" : " CPUs");
+  out << "slurm: " << counted(static_cast<std::size_t>(script.shards), "shard") << " with "
+      << counted(static_cast<std::size_t>(script.cpus), "CPU");
   if (estimate.one_s && !tasks.empty()) {
     const std::size_t each = (tasks.size() + script.shards - 1) / script.shards;
     out << ", about " << durationText(estimate.total_s(each, slots_)) << " each";

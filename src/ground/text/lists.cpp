@@ -12,7 +12,7 @@ std::string inWords(const std::vector<std::string_view>& items, std::string_view
   return text;
 }
 
-std::string counted(std::string_view noun, const std::vector<std::string_view>& items) {
+std::string withNoun(std::string_view noun, const std::vector<std::string_view>& items) {
   return std::string(noun).append(items.size() == 1 ? " " : "s ").append(inWords(items));
 }
 

@@ -10,6 +10,6 @@ namespace fissure {
 std::string inWords(const std::vector<std::string_view>& items, std::string_view last = "and");
 
 /// "model a", "models a and b": a noun in singular or plural before the items.
-std::string counted(std::string_view noun, const std::vector<std::string_view>& items);
+std::string withNoun(std::string_view noun, const std::vector<std::string_view>& items);
 
 }  // namespace fissure

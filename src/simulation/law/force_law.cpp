@@ -14,7 +14,7 @@ std::string modelsFor(const std::function<bool(const ForceLawEntry&)>& applies) 
   std::vector<std::string_view> names;
   for (const ForceLawEntry& law : forceLaws())
     if (applies(law)) names.push_back(law.name);
-  return counted("model", names);
+  return withNoun("model", names);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "base/counted.h"
 #include "base/error.h"
 #include "mesh/mesh_text.h"
 #include "mesh/obj_vertices.h"
@@ -170,10 +171,6 @@ std::string percent(double share) {
   return text.data();
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// Faces that cannot be split into triangles.
 void refuseBadFaces(const std::string& file, const aiScene& scene) {
   std::size_t faces = 0, few = 0, beyond = 0;
@@ -233,7 +230,7 @@ void noteBentPolygons(const aiScene& scene, std::vector<Defect>& oddities) {
   }
   if (bent == 0) return;
   oddities.push_back({DefectKind::non_planar_polygons, bent,
-                      counted(bent, "non-planar polygon", "non-planar polygons") +
+                      counted(bent, "non-planar polygon") +
                           " (their triangles are the reader's choice; the first is face " +
                           std::to_string(first) + " of the file, counted from 0, bent by " +
                           percent(first_bend) + " of its extent)"});

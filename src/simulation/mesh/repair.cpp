@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "base/counted.h"
 #include "mesh/edges.h"
 #include "mesh/orient.h"
 #include "mesh/shells.h"
@@ -13,10 +14,6 @@
 
 namespace fissure {
 namespace {
-
-std::string counted(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
 
 std::vector<char> usedVertices(const TriangleMesh& mesh) {
   std::vector<char> used(mesh.vertices_m.size(), 0);
@@ -110,7 +107,7 @@ std::string keepLargestShell(TriangleMesh& mesh) {
 
 std::string dropUnreferenced(TriangleMesh& mesh) {
   const std::size_t count = compact(mesh, usedVertices(mesh));
-  return count == 0 ? "" : count == 1 ? "1 vertex" : std::to_string(count) + " vertices";
+  return count == 0 ? "" : counted(count, "vertex", "vertices");
 }
 
 std::string orient(TriangleMesh& mesh) {

@@ -12,7 +12,7 @@ std::string pipelinesWith(std::initializer_list<ContactDetection> detections) {
   for (const PipelineTraits& pipeline : pipeline_table)
     if (std::find(detections.begin(), detections.end(), pipeline.detection) != detections.end())
       names.push_back(pipeline.name);
-  return counted("pipeline", names);
+  return withNoun("pipeline", names);
 }
 
 }  // namespace fissure

@@ -11,8 +11,8 @@ TEST(Lists, AreWordsOfASentence) {
   EXPECT_EQ(inWords({"a"}), "a");
   EXPECT_EQ(inWords({"a", "b"}), "a and b");
   EXPECT_EQ(inWords({"a", "b", "c"}, "or"), "a, b or c");
-  EXPECT_EQ(counted("model", {"a"}), "model a");
-  EXPECT_EQ(counted("model", {"a", "b"}), "models a and b");
+  EXPECT_EQ(withNoun("model", {"a"}), "model a");
+  EXPECT_EQ(withNoun("model", {"a", "b"}), "models a and b");
 }
 
 }  // namespace
