@@ -127,8 +127,10 @@ std::optional<std::string> listen(int from, int requests, unsigned long most_s) 
   std::array<pollfd, 2> polled = {{{from, POLLIN, 0}, {requests, POLLIN, 0}}};
   // Waited in slices, so that the time in which a terminal has stopped both processes (Ctrl-Z) does not
   // count.
-  for (unsigned long slice = 0; slice < slices_a_second * most_s; ++slice) {
-    ::poll(polled.data(), polled.size(), static_cast<int>(1000 / slices_a_second));
+  for (unsigned long slices = 0; slices < slices_a_second * most_s;) {
+    const int ready = ::poll(polled.data(), polled.size(), static_cast<int>(1000 / slices_a_second));
+    if (ready == 0) ++slices;
+    if (ready <= 0) continue;
     if (polled[1].revents != 0) throw Interrupted();
     if (polled[0].revents == 0) continue;
     std::array<char, 4096> bytes{};

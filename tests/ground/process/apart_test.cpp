@@ -70,6 +70,17 @@ TEST(Apart, OneThatOnlyWaitsIsKilledByTheClock) {
   EXPECT_THROW(doApart(waitForEver, {.processor_s = 0, .waiting_s = 1}), LostApart);
 }
 
+// What a process says costs none of the time in which it is waited for.
+TEST(Apart, ALongOutcomeComesBackWhole) {
+  const std::string text(1000000, 'x');
+  try {
+    doApart([&] { throw RunError(text); }, {.processor_s = 1, .waiting_s = 1});
+    FAIL() << "nothing came back";
+  } catch (const RunError& error) {
+    EXPECT_TRUE(error.what() == text) << std::string(error.what()).substr(0, 80);
+  }
+}
+
 TEST(Apart, OneThatTakesTooMuchMemoryFails) {
   const auto take = [] {
     if (std::vector<char>(std::size_t{1} << 28, 'x').back() != 'x') throw std::logic_error("not filled");
