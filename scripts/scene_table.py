@@ -243,7 +243,7 @@ def draw(arguments, name):
     strip = Image.new("RGB", (len(frames) * STRIP_PX[0], STRIP_PX[1]))
     for index, frame in enumerate(frames):
         strip.paste(Image.fromarray(frame).resize(STRIP_PX, Image.Resampling.LANCZOS), (index * STRIP_PX[0], 0))
-    strip.quantize(128).save(FOLDER / f"{name}.png", optimize=True)
+    strip.quantize(128, Image.Quantize.MAXCOVERAGE).save(FOLDER / f"{name}.png", optimize=True)
     print(f"{name}: " + ", ".join(f"{instant:.3f} s" for instant in instants), flush=True)
 
 

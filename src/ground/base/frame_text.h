@@ -17,6 +17,6 @@ struct FrameMeasures {
 /// The lines of text in a picture of a run: its name, the simulated time and the penetration depth; where
 /// they are 0.01 mm or more, also what inverted tissue adds to it, and how deep tissue stands in the ground;
 /// and whether overlap is not excluded where the depth does not show it.
-std::vector<std::string> frameText(const std::string& run, double time_s, const FrameMeasures& depths);
+std::vector<std::string> frameText(const std::string& run, double time_s, const FrameMeasures& measures);
 
 }  // namespace fissure

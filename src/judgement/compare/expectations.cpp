@@ -35,9 +35,9 @@ bool holds(const Expectation& expected, double found) {
 /// Whether the quantity says nothing about a run in which a tool never touched tissue.
 bool needsContact(const Expectation& expected) {
   if (expected.contact || !(expected.max || expected.value)) return false;
-  static const std::array<const char*, 5> quantities = {
+  static const std::array<const char*, 6> quantities = {
       "max_penetration_depth_m", "final_penetration_depth_m", "max_inversion_aware_depth_m",
-      "passed_through_samples", "max_inverted_triangles"};
+      "passed_through_samples",  "max_inverted_triangles",    "uncertified_steps"};
   return std::find(quantities.begin(), quantities.end(), expected.quantity) != quantities.end();
 }
 

@@ -4,8 +4,6 @@
 #include <array>
 #include <cmath>
 
-#include "surface/overlap.h"
-
 namespace fissure {
 
 namespace {
@@ -49,10 +47,10 @@ std::string edgeText(int from, int to) {
 Certifier::Certifier(const Scene& scene) {
   for (const SceneBody& body : scene.bodies)
     bodies_.push_back(
-        {body.name, body.rest.faces, static_cast<std::size_t>(body.first_vertex), cornersOfParts(body.rest)});
+        {body.name, body.rest.faces, static_cast<std::size_t>(body.first_vertex), partsOf(body.rest)});
   for (const SceneTool& tool : scene.tools)
     tools_.push_back({tool.name, tool.surface, tool.closed, SurfaceTree(tool.surface, Mat3::Identity()),
-                      cornersOfParts(tool.surface)});
+                      partsOf(tool.surface)});
   for (std::size_t t = 0; t < tools_.size(); ++t)
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       Pair pair{.body = b, .tool = t, .before_m = {}, .now_m = {}};
@@ -184,13 +182,14 @@ std::optional<Objection> Certifier::testOverlap(const Pair& pair) {
   const auto objection = [&](const std::string& what) { return Objection{pair.body, pair.tool, what, 1}; };
   if (crosses)
     return objection("the surfaces of " + body.name + " and " + tool.name + " may cross at its end");
-  for (const int corner : tool.corners_of_parts)
-    if (!isProvedOutside(body.faces, pair.now_m, tool.surface.vertices_m[static_cast<std::size_t>(corner)]))
+  for (const SurfacePart& part : tool.parts)
+    if (!isProvedOutside(body.parts, pair.now_m,
+                         tool.surface.vertices_m[static_cast<std::size_t>(part.corner)]))
       return objection(tool.name + " may lie inside " + body.name + " at its end");
   if (!tool.closed) return std::nullopt;
-  for (const int corner : body.corners_of_parts)
-    if (!isProvedOutside(tool.surface.faces, tool.surface.vertices_m,
-                         pair.now_m[static_cast<std::size_t>(corner)]))
+  for (const SurfacePart& part : body.parts)
+    if (!isProvedOutside(tool.parts, tool.surface.vertices_m,
+                         pair.now_m[static_cast<std::size_t>(part.corner)]))
       return objection(body.name + " may lie inside " + tool.name + " at its end");
   return std::nullopt;
 }

@@ -8,6 +8,7 @@
 #include "base/scene.h"
 #include "base/state.h"
 #include "surface/continuous_collision.h"
+#include "surface/overlap.h"
 #include "surface/surface_tree.h"
 
 namespace fissure {
@@ -27,10 +28,11 @@ struct Objection {
 /// In a tool's own frame the tool rests, and each tissue vertex is taken to go straight from where it was
 /// after the step before to where it is now. Where no triangle of the tissue meets one of the tool on the way
 /// (earliestMeeting: none is missed, and rounding counts as meeting), and the step before ended free of
-/// overlap, this one does: neither do surfaces cross nor does one enclose the other, since the tissue's
-/// winding number around the tool, inverted tissue included, changes at crossings alone. The initial state is
-/// tested as a whole, and so is each step's end after one that is not proved: nothing is proved from such an
-/// end until this test finds no overlap.
+/// overlap, this one does: neither do surfaces cross nor does a connected part of one enclose the other,
+/// since winding numbers change at crossings alone. (Where a part has folded over itself, a sheet and an
+/// inverted one cancel: such a place is outside of it.) The initial state is tested as a whole, and so is
+/// each step's end after one that is not proved: nothing is proved from such an end until this test finds no
+/// overlap.
 ///
 /// A proof says nothing of what happens between the ends of steps but along these straight paths, nothing of
 /// tissue against the ground or other tissue, and nothing of the inside of a tool whose surface is open.
@@ -50,14 +52,14 @@ class Certifier {
     std::string name;
     std::vector<Face> faces;
     std::size_t first_vertex = 0;
-    std::vector<int> corners_of_parts;
+    std::vector<SurfacePart> parts;
   };
   struct Tool {
     std::string name;
     TriangleMesh surface;
     bool closed = true;
     SurfaceTree tree;  ///< in the tool's frame, at rest
-    std::vector<int> corners_of_parts;
+    std::vector<SurfacePart> parts;
   };
   /// A body in a tool's frame, metres.
   struct Pair {

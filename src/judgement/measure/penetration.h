@@ -7,12 +7,12 @@
 #include "base/scene.h"
 #include "base/state.h"
 #include "measure/clearances.h"
-#include "surface/distance.h"
 #include "measure/passage.h"
-#include "surface/surface_tree.h"
 #include "measure/tool_samples.h"
 #include "measure/tool_shape.h"
 #include "scenario/scenario.h"
+#include "surface/distance.h"
+#include "surface/surface_tree.h"
 
 namespace fissure {
 

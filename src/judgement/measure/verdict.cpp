@@ -64,16 +64,17 @@ Verdict verdictOf(const Summary& summary) {
     add(VerdictGrade::doubtful, "never touched tissue", verdict);
   else if (!passed && !inverted && !unsound)
     add(VerdictGrade::held, formatted(*depth_m > 0 ? "held to %.2f mm" : "held", 1e3 * *depth_m), verdict);
-  if (const auto steps = numberIn(summary, "uncertified_steps");
-      verdict.grade != VerdictGrade::failed && steps) {
-    if (*steps > 0)
-      add(VerdictGrade::doubtful, formatted("%.0f steps not proved", *steps), verdict);
-    else if (*steps == 0 && verdict.grade == VerdictGrade::held)
-      add(VerdictGrade::held, "proved", verdict);
-  }
   if (passed) add(VerdictGrade::failed, "passed through", verdict);
   if (inverted) add(VerdictGrade::failed, "inverted", verdict);
   if (unsound) add(VerdictGrade::failed, "unsound tissue", verdict);
+  if (const std::string tools = textIn(summary, "untouched_tools");
+      !tools.empty() && numberIn(summary, "contact_steps").value_or(0) > 0)
+    add(VerdictGrade::doubtful, tools + " never touched tissue", verdict);
+  const auto steps = numberIn(summary, "uncertified_steps");
+  if (steps.value_or(0) > 0 && verdict.grade != VerdictGrade::failed)
+    add(VerdictGrade::doubtful, formatted("%.0f steps not proved", *steps), verdict);
+  if (steps && *steps == 0 && depth_m && verdict.grade == VerdictGrade::held)
+    add(VerdictGrade::held, "proved", verdict);
   if (const double ground_m = numberIn(summary, "max_ground_depth_m").value_or(0); ground_m > kHeldDepth_m)
     add(VerdictGrade::doubtful, formatted("%.2f mm below ground", 1e3 * ground_m), verdict);
   return verdict;
@@ -89,10 +90,13 @@ std::vector<Remark> remarksOf(const Summary& summary) {
     remarks.push_back(
         {false, "overlap is not excluded, first in step " +
                     formatted("%.0f: ", numberIn(summary, "first_uncertified_step").value_or(0)) + what});
+  if (const std::string what = textIn(summary, "not_measured"); !what.empty())
+    remarks.push_back({false, "not measured: " + what});
   if (const std::string tools = textIn(summary, "untouched_tools"); !tools.empty())
     remarks.push_back({true, "never touched tissue: " + tools});
   const double coverage_m = numberIn(summary, "sample_coverage_m").value_or(0);
-  const bool proved = numberIn(summary, "uncertified_steps").value_or(1) == 0;  // nothing hides between samples
+  const bool proved =
+      numberIn(summary, "uncertified_steps").value_or(1) == 0;  // nothing hides between samples
   if (const auto depth_m = worstDepth_m(summary); !proved && depth_m && coverage_m > *depth_m)
     remarks.push_back({coverage_m > 2 * kHeldDepth_m,
                        formatted("samples see depths to within %.2f mm: that much more may hide between them "

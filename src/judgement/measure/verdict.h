@@ -33,8 +33,9 @@ struct Remark {
   std::string text;
 };
 
-/// Unsound tissue, the first step that is not certified, tools that met no tissue, samples coarser than the depth claimed, nodes too wide apart for the
-/// tissue, narrow rows that were dragged obliquely.
+/// What was not measured, unsound tissue, the first step that is not certified, tools that met no tissue,
+/// samples coarser than the depth claimed, nodes too wide apart for the tissue, narrow rows that were dragged
+/// obliquely.
 std::vector<Remark> remarksOf(const Summary& summary);
 
 /// What a reaction is worth, where the run has one; else empty.

@@ -16,9 +16,9 @@ constexpr double kShortestPart = 1e-10;  // of a step
 // Of the coordinates' size, which is at most 1 after scaling; u is half a unit in the last place, 1.1e-16. A
 // coordinate carries the rounding of a difference of input, 1 u, and of an interpolation, 7 u; its share in a
 // dot product with a direction of unit length 3 u more, and |x| + |y| + |z| of that direction is at most
-// sqrt(3): 19 u for each piece, 38 u for both. Their difference, and its product with the direction, add
-// 18 u: below 56 u = 6.2e-15 together.
-constexpr double kRounding = 8e-15;
+// sqrt(3): 19 u for each piece, 38 u for both. The extreme points are chosen by such rounded values, twice;
+// their difference, and its product with the direction, round again: less than 70 u = 7.8e-15 together.
+constexpr double kRounding = 1e-14;
 
 using Points = std::array<Vec3, kMostPoints>;
 

@@ -1,6 +1,8 @@
 #include "surface/overlap.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <numeric>
 
@@ -12,37 +14,9 @@ namespace {
 // it is compared with.
 constexpr double kUnclear = 1e-14;
 
-}  // namespace
-
-std::vector<int> cornersOfParts(const TriangleMesh& mesh) {
-  std::vector<int> root(mesh.vertices_m.size());
-  std::iota(root.begin(), root.end(), 0);
-  const auto rootOf = [&](int vertex) {
-    while (root[static_cast<std::size_t>(vertex)] != vertex) {
-      int& parent = root[static_cast<std::size_t>(vertex)];
-      parent = root[static_cast<std::size_t>(parent)];
-      vertex = parent;
-    }
-    return vertex;
-  };
-  for (const Face& face : mesh.faces)
-    for (const int i : {1, 2}) {
-      const int one = rootOf(face[0]), other = rootOf(face[static_cast<std::size_t>(i)]);
-      root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
-    }
-  std::vector<int> corners;
-  std::vector<bool> seen(mesh.vertices_m.size(), false);
-  for (const Face& face : mesh.faces) {
-    const auto part = static_cast<std::size_t>(rootOf(face[0]));
-    if (!seen[part]) corners.push_back(face[0]);
-    seen[part] = true;
-  }
-  return corners;
-}
-
-bool isProvedOutside(std::span<const Face> faces, std::span<const Vec3> vertices_m, const Vec3& point_m) {
+bool isProvedOutside(const SurfacePart& part, std::span<const Vec3> vertices_m, const Vec3& point_m) {
   double angle = 0;
-  for (const Face& face : faces) {
+  for (const Face& face : part.faces) {
     const auto corner = [&](std::size_t i) {
       return Vec3(vertices_m[static_cast<std::size_t>(face[i])] - point_m);
     };
@@ -56,6 +30,40 @@ bool isProvedOutside(std::span<const Face> faces, std::span<const Vec3> vertices
     angle += 2 * std::atan2(volume, rest);
   }
   return std::abs(angle) < std::numbers::pi;  // a quarter of one winding; NaN is not
+}
+
+}  // namespace
+
+std::vector<SurfacePart> partsOf(const TriangleMesh& mesh) {
+  std::vector<int> root(mesh.vertices_m.size());
+  std::iota(root.begin(), root.end(), 0);
+  const auto rootOf = [&](int vertex) {
+    while (root[static_cast<std::size_t>(vertex)] != vertex) {
+      int& parent = root[static_cast<std::size_t>(vertex)];
+      parent = root[static_cast<std::size_t>(parent)];
+      vertex = parent;
+    }
+    return vertex;
+  };
+  for (const Face& face : mesh.faces)
+    for (const std::size_t i : {1u, 2u}) {
+      const int one = rootOf(face[0]), other = rootOf(face[i]);
+      root[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
+    }
+  std::vector<SurfacePart> parts;
+  std::map<int, std::size_t> part_of;  // by root
+  for (const Face& face : mesh.faces) {
+    const auto [known, is_new] = part_of.try_emplace(rootOf(face[0]), parts.size());
+    if (is_new) parts.push_back({face[0], {}});
+    parts[known->second].faces.push_back(face);
+  }
+  return parts;
+}
+
+bool isProvedOutside(std::span<const SurfacePart> parts, std::span<const Vec3> vertices_m,
+                     const Vec3& point_m) {
+  return std::all_of(parts.begin(), parts.end(),
+                     [&](const SurfacePart& part) { return isProvedOutside(part, vertices_m, point_m); });
 }
 
 }  // namespace fissure

@@ -7,14 +7,22 @@
 
 namespace fissure {
 
-/// One corner of each connected part of a surface: what part of space a part lies in is that of any of its
-/// points, as long as it crosses nothing.
-std::vector<int> cornersOfParts(const TriangleMesh& mesh);
+/// A connected part of a surface. As long as it crosses nothing, what part of space it lies in is that of any
+/// of its corners.
+struct SurfacePart {
+  int corner = 0;
+  std::vector<Face> faces;
+};
 
-/// Whether a closed surface is proved not to enclose a point: its winding number there, the sum of all
-/// triangles' solid angles over 4 pi (van Oosterom and Strackee 1983), is 0. False as well where a triangle
-/// is so near that rounding leaves its side open. An inside-out part encloses what it holds, too.
-/// `vertices_m` and `point_m` in one frame, metres.
-bool isProvedOutside(std::span<const Face> faces, std::span<const Vec3> vertices_m, const Vec3& point_m);
+/// The parts of a surface, in the order of their first faces; vertices that no face has are in none.
+std::vector<SurfacePart> partsOf(const TriangleMesh& mesh);
+
+/// Whether no part of a closed surface encloses a point: proved where the winding number of each by itself,
+/// the sum of its triangles' solid angles over 4 pi (van Oosterom and Strackee 1983), is 0. A part that is
+/// inside out encloses what it holds as well, and so does one around a cavity: who is in a cavity is not
+/// proved outside. False where a triangle is so near that rounding leaves its side open. `vertices_m` and
+/// `point_m` in one frame, metres.
+bool isProvedOutside(std::span<const SurfacePart> parts, std::span<const Vec3> vertices_m,
+                     const Vec3& point_m);
 
 }  // namespace fissure

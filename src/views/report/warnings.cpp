@@ -100,7 +100,6 @@ void addTexts(const Summary& summary, std::vector<Warning>& warnings) {
     const auto* text = std::get_if<std::string>(&value.value);
     if (!text) continue;
     if (value.name == "repairs") warnings.push_back({false, "repaired mesh: " + *text});
-    if (value.name == "not_measured") warnings.push_back({false, "not measured: " + *text});
   }
 }
 

@@ -98,6 +98,20 @@ TEST(Certifier, DoesNotProveANeedleInsideOfTissueThatIsInsideOut) {
   EXPECT_EQ(proved(scene, {test::restState(scene, {at(0, 0.001, 0)})}), (std::vector{false}));
 }
 
+// The winding numbers of a sheet and of an inverted one around it would cancel.
+TEST(Certifier, DoesNotProveAToolInsideTwoPartsOfWhichOneIsInsideOut) {
+  TriangleMesh inside_out = boxMesh({0.056, 0.056, 0.056});
+  for (Face& face : inside_out.faces) std::swap(face[1], face[2]);
+  for (Vec3& vertex : inside_out.vertices_m) vertex.x() += 0.012;
+  const TriangleMesh both = test::together(boxMesh({0.06, 0.06, 0.06}), inside_out);
+  const Scene scene = sceneOf({both}, {boxMesh({0.004, 0.002, 0.004})});
+  const State inside = test::restState(scene, {at(0.008, 0.002, 0.008)});
+  EXPECT_TRUE(overlaps(scene, inside));
+  EXPECT_EQ(proved(scene, {inside}), (std::vector{false}));
+  const Scene tool = sceneOf({makeSphere(0.002, 1)}, {both});
+  EXPECT_EQ(proved(tool, {test::restState(tool, {at(-0.008, 0, 0)})}), (std::vector{false}));
+}
+
 // The step in which it leaves is proved at its end; from there, paths are followed.
 TEST(Certifier, ProvesFromTheStepInWhichOverlapEnds) {
   const Scene scene = sceneOf({kSphere}, {boxMesh({0.05, 0.001, 0.02})});

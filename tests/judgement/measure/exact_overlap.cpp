@@ -4,6 +4,8 @@
 #include <array>
 #include <boost/multiprecision/cpp_int.hpp>
 #include <cmath>
+#include <set>
+#include <vector>
 
 #include "surface/oracles.h"
 
@@ -94,11 +96,32 @@ bool boxesMeet(const Triangle& s, const Triangle& t) {
   return (low(s).array() <= high(t).array()).all() && (low(t).array() <= high(s).array()).all();
 }
 
+/// The faces that are connected with the first of `faces`, taken out of them.
+TriangleMesh takePart(const TriangleMesh& mesh, std::vector<Face>& faces) {
+  TriangleMesh part{mesh.vertices_m, {}};
+  std::set<int> reached(faces.front().begin(), faces.front().end());
+  for (bool grows = true; grows;) {
+    grows = false;
+    for (std::size_t i = faces.size(); i-- > 0;) {
+      const Face face = faces[i];
+      if (std::none_of(face.begin(), face.end(), [&](int v) { return reached.contains(v); })) continue;
+      reached.insert(face.begin(), face.end());
+      part.faces.push_back(face);
+      faces.erase(faces.begin() + static_cast<std::ptrdiff_t>(i));
+      grows = true;
+    }
+  }
+  return part;
+}
+
 bool encloses(const TriangleMesh& mesh, const TriangleMesh& other) {
-  return std::any_of(other.faces.begin(), other.faces.end(), [&](const Face& face) {
-    const double winding = solidAngleWinding(mesh, other.vertices_m[static_cast<std::size_t>(face[0])]);
-    return std::abs(winding) > 0.5;
-  });
+  for (std::vector<Face> left = mesh.faces; !left.empty();) {
+    const TriangleMesh part = takePart(mesh, left);
+    for (const Face& face : other.faces)
+      if (std::abs(solidAngleWinding(part, other.vertices_m[static_cast<std::size_t>(face[0])])) > 0.5)
+        return true;
+  }
+  return false;
 }
 
 }  // namespace

@@ -43,6 +43,12 @@ TEST(Verdict, SaysHeldOnlyWhereNothingSpeaksAgainstIt) {
   expectVerdict(with("unsound_steps", 1LL), VerdictGrade::failed, "unsound tissue");
   expectVerdict(with("contact_steps", 0LL), VerdictGrade::doubtful, "never touched tissue");
   expectVerdict(with("uncertified_steps", 0LL), VerdictGrade::held, "held, proved");
+  Summary inverted = with("uncertified_steps", 0LL);  // proved of tissue that is none: no praise
+  for (SummaryValue& value : inverted)
+    if (value.name == "max_inverted_triangles") value.value = 3LL;
+  expectVerdict(inverted, VerdictGrade::failed, "inverted");
+  expectVerdict(with("untouched_tools", std::string("far")), VerdictGrade::doubtful,
+                "held, far never touched tissue");
   expectVerdict(with("uncertified_steps", 7LL), VerdictGrade::doubtful, "held, 7 steps not proved");
   expectVerdict(with("uncertified_steps", NAN), VerdictGrade::held, "held");
   expectVerdict(with("max_ground_depth_m", 0.00565), VerdictGrade::doubtful, "held, 5.65 mm below ground");
@@ -60,6 +66,8 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
     EXPECT_EQ(remarks.size(), 1u);
     return remarks.empty() ? "" : remarks.front().text;
   };
+  EXPECT_EQ(only(with("not_measured", std::string("the inside of sheet"))),
+            "not measured: the inside of sheet");
   EXPECT_EQ(only(with("untouched_tools", std::string("left"))), "never touched tissue: left");
   EXPECT_EQ(only(with("sample_coverage_m", 0.00053)),
             "samples see depths to within 0.53 mm: that much more may hide between them "
