@@ -38,8 +38,8 @@ bool meet(const TreeBox& one, const TreeBox& other) {
   return (one.low.array() <= other.high.array()).all() && (other.low.array() <= one.high.array()).all();
 }
 
-std::string edgeText(int from, int to) {
-  return "edge " + std::to_string(from) + "-" + std::to_string(to);
+std::string edgeText(int from, int to) {  // alike from both of its triangles
+  return "edge " + std::to_string(std::min(from, to)) + "-" + std::to_string(std::max(from, to));
 }
 
 }  // namespace
