@@ -159,11 +159,15 @@ class LogReader {
   Quat readOrientation() {
     if (!settings_.quaternion_columns) return Quat::Identity();
     Eigen::Vector4d xyzw;
-    for (int i = 0; i < 4; ++i) xyzw[i] = table_->number(quaternion_columns_[static_cast<std::size_t>(i)]);
+    for (int i = 0; i < 4; ++i) {
+      const auto at = static_cast<std::size_t>(i);
+      xyzw[i] = reasonable(table_->number(quaternion_columns_[at]), kReasonableStamp,
+                           (*settings_.quaternion_columns)[at]);
+    }
     const double largest = xyzw.cwiseAbs().maxCoeff();
     if (!xyzw.allFinite() || largest == 0)
       return Quat(Eigen::Vector4d::Constant(std::numeric_limits<double>::quiet_NaN()));
-    // By a power of two, which rounds nothing: no square is too large or too small for a number then.
+    // By a power of two, which rounds nothing: no square is too small for a number then.
     const int exponent = std::ilogb(largest);
     for (double& part : xyzw) part = std::ldexp(part, -exponent);
     return Quat(Eigen::Vector4d(xyzw / xyzw.norm()));

@@ -29,7 +29,8 @@ struct DeviceLog {
 /// nothing.
 inline constexpr double kReasonable = 1e6;
 
-/// Nor is a time stamp beyond this many of its unit, or such a frame: nanoseconds since 1970 are 1.8e18.
+/// Nor is a time stamp beyond this many of its unit, or such a frame, or such a part of a quaternion:
+/// nanoseconds since 1970 are 1.8e18, and quaternions in fixed point have parts of 2^30 or 2^62.
 inline constexpr double kReasonableStamp = 1e19;
 
 /// Reads a log. The rules:

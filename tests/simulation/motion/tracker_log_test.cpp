@@ -131,16 +131,17 @@ TEST(TrackerLog, WithoutAnyReasonableRowSaysSo) {
                   .ends_with("log.csv:2: 1e+30 in column \"x\" is no measurement (beyond 1e+06)"));
 }
 
-TEST(TrackerLog, AQuaternionOfAnyLengthButZeroIsARotation) {
+TEST(TrackerLog, AQuaternionOfAnyReasonableLengthButZeroIsARotation) {
   ReplayMotion settings = timed();
   settings.quaternion_columns = {"a", "b", "c", "d"};
   const auto motion = play(
-      "t,x,y,z,a,b,c,d\n0,0,0,0,0,0,0,1\n0.1,0,0,0,1e160,1e160,0,0\n0.2,0,0,0,0,0,1e-160,1e-160\n"
-      "0.3,0,0,0,0,0,0,1073741824\n0.4,0,0,0,0,0,0,0\n0.5,0,0,0,inf,0,0,1\n",
+      "t,x,y,z,a,b,c,d\n0,0,0,0,0,0,0,1\n0.1,0,0,0,3e18,3e18,0,0\n0.2,0,0,0,0,0,1e-160,1e-160\n"
+      "0.3,0,0,0,0,0,0,1073741824\n0.4,0,0,0,0,0,0,0\n0.5,0,0,0,nan,0,0,1\n"
+      "0.6,0,0,0,-3.7e28,-3.7e28,-3.7e28,-3.7e28\n0.7,0,0,0,1e160,0,0,1e160\n",
       settings);
   EXPECT_EQ(count(*motion, "replay_samples"), 4);
-  EXPECT_EQ(count(*motion, "replay_dropped_rows"), 2) << "of zeros, and infinite";
-  EXPECT_EQ(count(*motion, "replay_rows_beyond_reason"), 0);
+  EXPECT_EQ(count(*motion, "replay_dropped_rows"), 4) << "of zeros, missing, and two beyond reason";
+  EXPECT_EQ(count(*motion, "replay_rows_beyond_reason"), 2);
   const double half = std::sqrt(0.5);
   EXPECT_TRUE(motion->poseAt(0.1).orientation.isApprox(Quat(0, half, half, 0)));
   EXPECT_TRUE(motion->poseAt(0.3).orientation.isApprox(Quat::Identity()));
