@@ -52,7 +52,8 @@ TEST(Run, PrintsAnAlignedTable) {
   const Folder folder;
   folder.write("s.yaml", pressScenario("[{name: a_long_name, pipeline: default}, {pipeline: fukuhara}]",
                                        "0.03", "force: [{model: hunt_crossley}]\n"));
-  const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--set", "measure.certify=true"});
+  const Outcome outcome =
+      runFissure(folder, {"run", "s.yaml", "-o", "out.h5", "--set", "measure.certify=true"});
   const std::vector<std::string> lines = linesOf(outcome.out);
   ASSERT_GE(lines.size(), 7u) << outcome.out;
   const std::size_t verdict = lines[0].find("verdict");

@@ -53,8 +53,8 @@ class Id {
 inline constexpr unsigned tracked_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
 /// File access for every file of ours. HDF5's own error printing is off from here on.
 Id accessProperties();
-/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError, also about what is no regular
-/// file.
+/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError, also about what is no
+/// regular file.
 Id openToRead(const std::filesystem::path& path);
 
 /// Links and attributes of the new group keep their order of creation.
