@@ -40,7 +40,7 @@ void refuseTooFew(const FitData& data, const FitSettings& settings, const std::s
                      " free coefficients, expected more points than these");
 }
 
-/// Of a shape that is fixed.
+/// Throws InputError where the law with its fixed shape has no force above 0 at the measured depths.
 void refuseOverflow(const FitProblem& problem, const FitSettings& settings) {
   const double force = problem.forceOfUnitK(settings.fixed);
   if (std::isfinite(force) && force > 0) return;

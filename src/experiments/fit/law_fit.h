@@ -29,7 +29,7 @@ struct FittedValue {
 struct LawFit {
   ForceModel model = ForceModel::hunt_crossley;
   std::array<FittedValue, kFitParameters.size()> values;  ///< by FitParameter
-  /// Of free ones, k by its logarithm; NaN for others.
+  /// Correlation of each pair of free coefficients, k by its logarithm; NaN where one of them is not free.
   std::array<std::array<double, kFitParameters.size()>, kFitParameters.size()> correlation{};
   /// lambda/k and half its 95 % interval, s/m, by the standard error; NaN but where both are fitted, and of
   /// laws whose damping does not grow with their elastic force.

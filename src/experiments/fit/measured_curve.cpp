@@ -119,7 +119,7 @@ std::string weightsOf(const MeasuredCurve& curve) {
                                              : std::string(" by nothing"));
 }
 
-/// Of two curves that are to be fitted as one.
+/// Throws InputError where two curves that are to be fitted as one are not of one kind.
 void refuseOtherKind(const MeasuredCurve& first, const MeasuredCurve& other) {
   if (first.depth_m.empty() != other.depth_m.empty())
     throw InputError(labelOf(first.depth_m.empty() ? first : other) + " has no depths, but " +

@@ -58,7 +58,7 @@ std::optional<std::string> readRecord(std::istream& stream) {
   return record;
 }
 
-/// Of this machine since it was switched on: locks of other machines may not be seen here.
+/// The identity of this machine since it was switched on: locks of other machines may not be seen here.
 std::string bootId() {
   std::string id;
   std::getline(std::ifstream("/proc/sys/kernel/random/boot_id"), id);
