@@ -62,7 +62,7 @@ void addCertificateCases() {
     Scenario scenario = configuredScenario(name);
     scenario.record = {};
     for (const PipelineSettings& pipeline : scenario.pipelines)
-      if (pipeline.name == "default_tuned" || pipeline.name == "fukuhara")
+      if (pipeline.name == "default_tuned" || pipeline.name == "fukuhara" || pipeline.name == "swept")
         addCase("certify/" + name + "/" + pipeline.name,
                 [=](benchmark::State& out) { return measureProofs(out, scenario, pipeline); });
   }

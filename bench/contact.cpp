@@ -5,6 +5,7 @@
 #include "batch.h"
 #include "cases.h"
 #include "contact/node_contact.h"
+#include "contact/swept_contact.h"
 #include "measure/penetration.h"
 #include "scene/build_scene.h"
 
@@ -24,14 +25,23 @@ Scenario scenarioWith(int subdivisions, int nodes) {
                              {"tools.spatula.nodes.resolution", "[" + side + ", " + side + "]"}});
 }
 
+NodeContact nodeContact(const Scene& scene, const Scenario& scenario) {
+  return {scene,
+          {.vertex_contacts = true,
+           .response = ContactResponse::momentum,
+           .margins_m = {scenario.bodies[0].margin_m}}};
+}
+
+SweptContact sweptContact(const Scene& scene, const Scenario& scenario) {
+  return {scene, {.margins_m = {scenario.bodies[0].margin_m}}};
+}
+
 /// Copies are independent.
+template <class Contact>
 struct PressedSphere {
   Scenario scenario;
   Scene scene = buildScene(scenario, true);
-  NodeContact contact{scene,
-                      {.vertex_contacts = true,
-                       .response = ContactResponse::momentum,
-                       .margins_m = {scenario.bodies[0].margin_m}}};
+  Contact contact;
   std::vector<double> inverse_masses =
       std::vector<double>(scene.vertexCount(), scene.vertexCount() / scenario.bodies[0].mass_kg);
   std::vector<Vec3> before_m = scene.bodies[0].rest.vertices_m;
@@ -39,7 +49,8 @@ struct PressedSphere {
   State state{.positions_m = scene.bodies[0].rest.vertices_m, .tools = {ToolState{}}};
   ContactPatch patch;
 
-  explicit PressedSphere(Scenario with) : scenario(std::move(with)) {
+  PressedSphere(Scenario with, Contact (*make)(const Scene&, const Scenario&))
+      : scenario(std::move(with)), contact(make(scene, scenario)) {
     patch.resize(scene.vertexCount(), scene.faceCount(), 1);
     moveTool(kOutside_m);
   }
@@ -68,18 +79,25 @@ struct PressedSphere {
 };
 
 /// What a detector counts over its steps, by the names of Simulation::counters().
-std::map<std::string, long long> countsOf(const PressedSphere& pressed) {
-  return {{"rays", pressed.contact.rays()},
-          {"ray_triangle_tests", pressed.contact.rayTests()},
-          {"displacement_sweeps", pressed.contact.displacementCounts().sweeps},
-          {"displacement_pushes", pressed.contact.displacementCounts().pushes}};
+std::map<std::string, long long> countsOf(const NodeContact& contact) {
+  return {{"rays", contact.rays()},
+          {"ray_triangle_tests", contact.rayTests()},
+          {"displacement_sweeps", contact.displacementCounts().sweeps},
+          {"displacement_pushes", contact.displacementCounts().pushes}};
 }
 
-double detect(benchmark::State& out, int subdivisions, int nodes) {
-  PressedSphere saved(scenarioWith(subdivisions, nodes));
+std::map<std::string, long long> countsOf(const SweptContact& contact) {
+  return {{"rounds", contact.rounds()},
+          {"truncated_vertices", contact.truncationCounts().vertices},
+          {"displacement_sweeps", contact.displacementCounts().sweeps},
+          {"displacement_pushes", contact.displacementCounts().pushes}};
+}
+
+template <class Contact>
+double detect(benchmark::State& out, PressedSphere<Contact> saved) {
   saved.press(-0.001, kPressed_m);
   saved.moveTool(kPressed_m + kStep_m);
-  PressedSphere stepped = saved;
+  PressedSphere<Contact> stepped = saved;
   stepped.detect();  // its arrays have their size from here on
   const State first = stepped.state;
   Batch calls;
@@ -88,8 +106,8 @@ double detect(benchmark::State& out, int subdivisions, int nodes) {
     calls.time([&] { stepped.detect(); });
     if (stepped.state.positions_m != first.positions_m) throw std::logic_error("two calls differ");
   }
-  const auto before = countsOf(saved);
-  for (const auto& [name, count] : countsOf(stepped))
+  const auto before = countsOf(saved.contact);
+  for (const auto& [name, count] : countsOf(stepped.contact))
     out.counters[name] = static_cast<double>(count - before.at(name));
   out.counters["contacts"] = stepped.state.contact.contact_count;
   out.counters["allocations"] = calls.allocationCount() / kContactCalls;
@@ -97,7 +115,7 @@ double detect(benchmark::State& out, int subdivisions, int nodes) {
 }
 
 double measure(benchmark::State& out, int subdivisions, const std::string& where) {
-  PressedSphere sphere(scenarioWith(subdivisions, 32));
+  PressedSphere<NodeContact> sphere(scenarioWith(subdivisions, 32), nodeContact);
   const double depth_m = where == "outside" ? kOutside_m : kPressed_m;
   if (where == "touching") sphere.press(-0.001, depth_m);
   sphere.moveTool(depth_m);
@@ -128,13 +146,20 @@ std::string trianglesOf(int subdivisions) {
 }  // namespace
 
 void addContactCases() {
-  for (const int subdivisions : {2, 3, 4, 5}) {
+  constexpr int kFinest = 6;  // 32,768 triangles: against one number of nodes only
+  for (const int subdivisions : {2, 3, 4, 5, kFinest}) {
     const std::string triangles = trianglesOf(subdivisions);
     for (const int nodes : {4, 8, 16, 32}) {
+      if (subdivisions == kFinest && nodes != 16) continue;
       const std::string side = std::to_string(nodes);
-      addCase("detect/" + triangles + "/" + side + "x" + side,
-              [=](benchmark::State& out) { return detect(out, subdivisions, nodes); });
+      addCase("detect/" + triangles + "/" + side + "x" + side, [=](benchmark::State& out) {
+        return detect<NodeContact>(out, {scenarioWith(subdivisions, nodes), nodeContact});
+      });
     }
+    addCase("detect/" + triangles + "/swept", [=](benchmark::State& out) {
+      return detect<SweptContact>(out, {scenarioWith(subdivisions, 4), sweptContact});
+    });
+    if (subdivisions == kFinest) continue;
     for (const std::string where : {"outside", "touching", "deep"}) {
       addCase("measure/" + triangles + "/" + where,
               [=](benchmark::State& out) { return measure(out, subdivisions, where); });

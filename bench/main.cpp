@@ -6,6 +6,7 @@
 //                                    of them from just before first contact, in a new simulation
 //   detect/<triangles>/<nodes>       NodeContact::step alone, as fukuhara has it by default: the spatula 8 mm
 //                                    deep in the sphere, restored before each call; nodes on each large face
+//   detect/<triangles>/swept         SweptContact::step alone, in the same place
 //   measure/<triangles>/<where>      PenetrationMeter::measure of one step: the spatula 5 mm above the sphere
 //                                    (outside), pressed in with tissue held in front of it (touching), 8 mm
 //                                    inside undeformed tissue (deep)

@@ -1,6 +1,7 @@
 // What a run pays for being written and drawn.
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "batch.h"
@@ -21,7 +22,9 @@ constexpr std::size_t kOutputRows = kBlock * kBlocks;
 
 double append(benchmark::State& out) {
   const Scenario scenario = configuredScenario("spatula_press");
-  const PipelineSettings& pipeline = scenario.pipelines.back();
+  const PipelineSettings& pipeline =
+      *std::find_if(scenario.pipelines.begin(), scenario.pipelines.end(),
+                    [](const PipelineSettings& entry) { return entry.pipeline == PipelineKind::fukuhara; });
   const Scene scene = buildScene(scenario, pipeline.usesNodes());
   auto probes = makeProbes(scenario, scene);
   const RecordLayout layout = declareLayout(probes);

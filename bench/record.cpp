@@ -121,7 +121,8 @@ void addRecordCases() {
   for (const std::string name : {"spatula_press", "plate_press"}) {
     const Scenario scenario = configuredScenario(name);
     for (const PipelineSettings& pipeline : scenario.pipelines) {
-      if (pipeline.name != "default_tuned" && pipeline.name != "fukuhara") continue;
+      if (pipeline.name != "default_tuned" && pipeline.name != "fukuhara" && pipeline.name != "swept")
+        continue;
       addCase("record/" + name + "/" + pipeline.name,
               [=](benchmark::State& out) { return measureRecording(out, scenario, pipeline); });
     }

@@ -31,7 +31,7 @@ from scene_table import number, speed_settings, stored_rows
 SCENES = ROOT / "configs/fixtures"
 FOLDER = ROOT / "results/fixtures"
 TABLE = FOLDER / "fixtures.csv"
-PIPELINES = ["default_tuned", "raycast", "fukuhara"]
+PIPELINES = ["default_tuned", "raycast", "fukuhara", "swept"]
 METHOD = "fukuhara"
 HIDDEN_MM = 0.05  # a depth below this looks like none
 # The ladder: beside these rungs, FASTER times the speed, and thicknesses where a fixture has them.

@@ -57,6 +57,48 @@ TEST(Claims, TheSpatulaEntersBulletsDefaultAndIsHeldByTheFullMethod) {
   }
 }
 
+/// A config run with pipeline swept alone, without frames.
+ResultInfo swept(const std::string& config, const std::vector<std::string>& more = {}) {
+  const Folder folder;
+  std::vector<std::string> words = {
+      "run", FISSURE_SOURCE_DIR "/configs/" + config, "--no-frames", "--pipeline", "swept", "-o", "out.h5"};
+  words.insert(words.end(), more.begin(), more.end());
+  const Outcome outcome = runFissure(folder, words);
+  EXPECT_EQ(outcome.code, 0) << config << outcome.out << outcome.err;
+  return readResultInfo(folder / "out.h5");
+}
+
+// Boxes, a concave tool, clamps, a slit, friction, the floor between the lobes: all expect every step proved.
+TEST(Claims, SweptContactProvesEveryStep) {
+  for (const std::string config :
+       {"spatula_press.yaml", "spatula_edge_on.yaml", "hooked_spatula.yaml", "clamp_sphere.yaml",
+        "lift_two_plates.yaml", "fissure_open.yaml", "two_organs.yaml", "spatula_coupled.yaml"}) {
+    const ResultInfo info = swept(config);
+    EXPECT_EQ(quantity(info, "swept", "uncertified_steps"), 0) << config;
+    EXPECT_EQ(quantity(info, "swept", "truncated_steps"), 0) << config;
+    EXPECT_LE(quantity(info, "swept", "max_penetration_depth_m"), 1e-5) << config;
+    EXPECT_GT(quantity(info, "swept", "contact_steps"), 0) << config;
+  }
+}
+
+// At ten times the speed, and by truncation alone.
+TEST(Claims, SweptContactProvesEveryStepHoweverFastAndWithoutAnyRound) {
+  const ResultInfo fast =
+      swept("spatula_press.yaml", {"--set", "tools.spatula.motion.segments.0.speed_m_s=10"});
+  EXPECT_EQ(quantity(fast, "swept", "uncertified_steps"), 0);
+  const ResultInfo truncated = swept("spatula_press.yaml", {"--set", "pipelines.swept.rounds=0"});
+  EXPECT_EQ(quantity(truncated, "swept", "uncertified_steps"), 0);
+  EXPECT_EQ(quantity(truncated, "swept", "no_room_steps"), 0);
+  EXPECT_GT(quantity(truncated, "swept", "truncated_steps"), 0);
+}
+
+// All but the first state, before which the tool stood in the tissue.
+TEST(Claims, ABladePutIntoTissueIsFreeAfterOneStepOfSweptContact) {
+  const ResultInfo info = swept("fixtures/starts_inside.yaml");
+  EXPECT_EQ(quantity(info, "swept", "uncertified_steps"), 1);
+  EXPECT_EQ(quantity(info, "swept", "max_inverted_triangles"), 0);
+}
+
 TEST(Claims, BothResponsesAreSmooth) {
   for (const std::string response : {"none", "momentum"}) {
     const Folder folder;

@@ -79,7 +79,7 @@ TEST(ToolMesh, OneThatIsNotConvexIsRefusedForBulletAlone) {
   EXPECT_EQ(refused.code, 2);
   EXPECT_EQ(refused.err,
             "s.yaml: tools.spatula.shape is not convex and closed, and run default (pipeline default) needs "
-            "that, expected pipelines raycast and fukuhara alone\n");
+            "that, expected pipelines raycast, fukuhara and swept alone\n");
   folder.write("s.yaml", toolScenario("hook.obj"));
   EXPECT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "out.h5"}).code, 0);
   EXPECT_NE(runFissure(folder, {"plan", "s.yaml"}).out.find("252 triangles"), std::string::npos);

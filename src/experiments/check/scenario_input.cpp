@@ -168,10 +168,13 @@ void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
     switch (entry.traits().need) {
       case ToolNeed::convex_and_closed:
         if (!convex)
-          refuse("is not convex and closed", "that", pipelinesWith({ContactDetection::nodes}) + " alone");
+          refuse("is not convex and closed", "that",
+                 pipelinesWith({ContactDetection::nodes, ContactDetection::surface}) + " alone");
         break;
       case ToolNeed::box:
         if (!tool.box_size_m) refuse("is no box", "one", "another pipeline");
+        break;
+      case ToolNeed::surface:
         break;
       case ToolNeed::nodes:
         if (tool.nodes.size() == 0)

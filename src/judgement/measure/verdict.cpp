@@ -109,6 +109,13 @@ std::vector<Remark> remarksOf(const Summary& summary) {
         {true, formatted("narrow_rows: in %.0f steps a blade moves obliquely to its faces, where "
                          "nodes on narrow ones tear tissue (compare with narrow_rows: 0)",
                          steps)});
+  if (const double steps = numberIn(summary, "truncated_steps").value_or(0); steps > 0)
+    remarks.push_back({false, formatted("in %.0f steps tissue that still crossed a tool after all rounds was "
+                                        "stopped on its way (%.0f vertices)",
+                                        steps, numberIn(summary, "truncated_vertices").value_or(0))});
+  if (const double steps = numberIn(summary, "no_room_steps").value_or(0); steps > 0)
+    remarks.push_back(
+        {true, formatted("after %.0f steps tools left no room for tissue, which may overlap one", steps)});
   return remarks;
 }
 

@@ -38,6 +38,11 @@ void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
   forgetOldOverlap(constraints, inverse_masses);
 }
 
+int ContactImpulses::pushing() const {
+  return static_cast<int>(
+      std::count_if(pushes_.begin(), pushes_.end(), [](const Push& push) { return push.kg_m > 0; }));
+}
+
 Vec3 ContactImpulses::total(std::span<const double> factors) const {
   Vec3 total = Vec3::Zero();
   for (std::size_t i = 0; i < pushes_.size(); ++i) {

@@ -28,6 +28,11 @@ class ContactImpulses {
   /// Of the last apply, for each vertex: its displacement as far as it is motion; over the time step, the
   /// change of its velocity.
   std::span<const Vec3> motion_m() const { return motion_m_; }
+  std::span<Vec3> motion_m() { return motion_m_; }
+  /// The way of each vertex in the step before its contacts.
+  std::span<const Vec3> way_m() const { return way_m_; }
+  /// How many contacts push.
+  int pushing() const;
   /// Impulse of all contacts on the tissue, times the time step: kg m; each contact's times the factor of its
   /// first vertex.
   Vec3 total(std::span<const double> factors) const;

@@ -22,6 +22,7 @@ struct ToolTouch {
 struct ContactPatch {
   std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex belongs to a contact
   std::vector<ToolTouch> tools;              ///< one a tool; empty where no force law asks
+  std::vector<double> face_weights;  ///< share of each face's force that counts, 0..1; empty: all of it
 
   /// `tools_with_normals`: the number of tools where force laws ask for normals, else 0.
   void resize(int vertices, int faces, std::size_t tools_with_normals) {

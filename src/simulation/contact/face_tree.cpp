@@ -67,6 +67,23 @@ void FaceTree::refit(std::span<const Vec3> positions_m) {
   }
 }
 
+void FaceTree::nearBox(const Vec3& low, const Vec3& high, std::vector<int>& faces) const {
+  std::array<int, 2 * kMaxDepth> stack{};
+  int depth = 0;
+  if (!nodes_.empty()) stack[depth++] = 0;
+  while (depth > 0) {
+    const int index = stack[--depth];
+    const Node& node = nodes_[index];
+    if ((node.box.low.array() > high.array()).any() || (node.box.high.array() < low.array()).any()) continue;
+    if (node.count > 0) {
+      faces.insert(faces.end(), order_.begin() + node.first, order_.begin() + node.first + node.count);
+    } else {
+      stack[depth++] = node.first;
+      stack[depth++] = index + 1;
+    }
+  }
+}
+
 bool FaceTree::boxHolds(const Vec3& point_m) const {
   return !nodes_.empty() && (point_m.array() >= nodes_.front().box.low.array()).all() &&
          (point_m.array() <= nodes_.front().box.high.array()).all();

@@ -32,6 +32,10 @@ class FaceTree {
   std::optional<SurfaceHit> firstHit(const Ray& ray, std::span<const Vec3> positions_m,
                                      long long& tests) const;
 
+  /// Appends the faces of all leaves whose box meets this one: every face that meets it, and their neighbours
+  /// in the tree. In an order that depends on the tree alone.
+  void nearBox(const Vec3& low, const Vec3& high, std::vector<int>& faces) const;
+
  private:
   struct Box {
     Vec3 low, high;

@@ -67,6 +67,8 @@ void TriangleForces::evaluate(const ContactPatch& patch, State& state) {
     const Face& face = faces_[i];
     if (!patch.vertex_contact[face[0]] && !patch.vertex_contact[face[1]] && !patch.vertex_contact[face[2]])
       continue;
+    weight_ = patch.face_weights.empty() ? 1 : patch.face_weights[i];
+    if (!(weight_ > 0)) continue;
     shareAmongTools(patch, i);
     measure(i, state);
     for (std::size_t law = 0; law < laws_.size(); ++law) addForce(law, i, state);
@@ -125,7 +127,7 @@ void TriangleForces::addForce(std::size_t law, std::size_t triangle, State& stat
   const Measured& measured = measured_[index(laws_[law].deformation)];
   const double rate_m_s = measured.rates_m_s[index(laws_[law].rate)];
   const LawForce force = laws_[law].law.at(measured.deformation_m, rate_m_s);
-  const double area = laws_[law].per_area ? rest_areas_m2_[triangle] : 1;
+  const double area = weight_ * (laws_[law].per_area ? rest_areas_m2_[triangle] : 1);
   ForceSample& sum = state.forces[law];
   sum.elastic_N += area * force.elastic_N;
   sum.viscous_N += area * force.viscous_N;
@@ -141,7 +143,7 @@ void TriangleForces::addForce(std::size_t law, std::size_t triangle, State& stat
 
 void TriangleForces::addInputs(std::size_t triangle, State& state) const {
   Vec3 direction = Vec3::Zero();
-  for (const Share& share : shares_) direction -= share.part * share.direction;
+  for (const Share& share : shares_) direction -= weight_ * share.part * share.direction;
   for (const TriangleLaw& law : laws_) {
     const Measured& measured = measured_[index(law.deformation)];
     state.law_inputs.push_back(

@@ -59,6 +59,7 @@ class TriangleForces {
   std::size_t tool_count_;
   std::vector<Face> faces_;  ///< all bodies, vertex indices into State arrays
   bool keeps_inputs_;
+  double weight_ = 1;                              ///< share of the current triangle's force that counts
   std::vector<double> rest_areas_m2_;              ///< empty unless a law is per area or inputs are kept
   std::vector<TriangleDeformation> deformations_;  ///< one a kind that a law asks for
   std::array<std::array<bool, 2>, 2> asked_{};     ///< by kind and rate source

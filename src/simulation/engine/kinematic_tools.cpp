@@ -15,7 +15,7 @@ std::unique_ptr<btConvexShape> makeToolShape(const SceneTool& tool) {
   if (tool.box_size_m) return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * *tool.box_size_m)));
   if (!tool.closed || !isConvex(tool.surface))
     throw InputError("tool '" + tool.name +
-                     "' is not convex and closed, expected pipelines raycast and fukuhara alone");
+                     "' is not convex and closed, expected pipelines raycast, fukuhara and swept alone");
   auto hull = std::make_unique<btConvexHullShape>();
   for (const Vec3& vertex : tool.surface.vertices_m) hull->addPoint(toBullet(vertex), false);
   hull->recalcLocalAabb();

@@ -19,6 +19,7 @@ constexpr auto factories = std::to_array<PipelineFactory>({
     {PipelineKind::cluster, nullptr, &makeClusterPipeline},
     {PipelineKind::raycast, nullptr, &makeNodePipeline},
     {PipelineKind::fukuhara, nullptr, &makeNodePipeline},
+    {PipelineKind::swept, nullptr, &makeSweptPipeline},
     {PipelineKind::prescribed, nullptr, &makePrescribedPipeline},
 });
 

@@ -11,13 +11,14 @@ namespace fissure {
 
 /// A collision pipeline: how tools meet tissue. `default_sdf` is called "default" and `null_sdf` "null" in
 /// files.
-enum class PipelineKind { default_sdf, null_sdf, cluster, raycast, fukuhara, prescribed };
+enum class PipelineKind { default_sdf, null_sdf, cluster, raycast, fukuhara, swept, prescribed };
 
 /// What finds the contacts of a pipeline.
 enum class ContactDetection {
   sdf,       ///< Bullet tests tissue vertices against the tool's signed distance field
   clusters,  ///< Bullet tests clusters of tissue vertices against the tool
   nodes,     ///< rays cast from nodes on the tool; what the contacts then do is the run's `response`
+  surface,   ///< all of the tool's surface against all of the tissue's
   sticking,  ///< tissue vertices that a tool reaches are held by it
 };
 
@@ -25,7 +26,8 @@ enum class ContactDetection {
 enum class ToolNeed {
   convex_and_closed,  ///< a surface that bounds a convex solid
   box,
-  nodes,  ///< a surface on which at least one node can stand
+  surface,  ///< any
+  nodes,    ///< a surface on which at least one node can stand
 };
 
 /// The values of Bullet's own contact that `settings` chooses together.
@@ -91,6 +93,14 @@ inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
      .need = ToolNeed::nodes,
      .association = true,
      .vertex_contacts = true,
+     .response = ContactResponse::momentum},
+    {.kind = PipelineKind::swept,
+     .name = "swept",
+     .description =
+         "to use where no tool may enter tissue: all of its surface against all of the tissue's, on the "
+         "path of the step; not tissue on tissue",
+     .detection = ContactDetection::surface,
+     .need = ToolNeed::surface,
      .response = ContactResponse::momentum},
     {.kind = PipelineKind::prescribed,
      .name = "prescribed",

@@ -38,16 +38,22 @@ struct PipelineSettings {
   /// What contacts do to the tissue's momentum. Default: the pipeline's, momentum for fukuhara, none (the
   /// paper's) for raycast.
   std::optional<ContactResponse> response;
+
+  /// Ray casting pipelines, and swept.
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
   /// feasibility): a tool that starts inside is pushed free over several steps; what it stretched by then
   /// snaps back as elastic tissue does. > 0
   double max_displacement_m = 0.005;
+  /// Swept: responses in a step, 0..10. Each looks for crossings that the last one left or made; tissue that
+  /// still crosses a tool then is stopped on its way (`truncated_steps` of the summary).
+  int rounds = 4;
 
   double time_limit_s = 3600;  ///< wall clock; a run beyond it is stopped and recorded as "timeout"; > 0
 
   const PipelineTraits& traits() const { return traitsOf(pipeline); }
   bool usesNodes() const { return traits().detection == ContactDetection::nodes; }
+  bool usesSurface() const { return traits().detection == ContactDetection::surface; }
   bool usesSdf() const { return traits().detection == ContactDetection::sdf; }
   bool usesClusters() const { return traits().detection == ContactDetection::clusters; }
   /// Whether contacts rub: those of nodes only displace tissue unless they respond with momentum.

@@ -17,8 +17,10 @@ void describe(Io& io, PipelineSettings& p) {
   using enum ContactDetection;
   const bool rays = p.usesNodes();
   const std::string with_bullet = pipelinesWith({sdf, clusters}), with_sdf = pipelinesWith({sdf}),
-                    with_rays = pipelinesWith({nodes});
-  const char *sdf_only = with_sdf.c_str(), *rays_only = with_rays.c_str();
+                    with_rays = pipelinesWith({nodes}), with_ours = pipelinesWith({nodes, surface}),
+                    with_surface = pipelinesWith({surface});
+  const char *sdf_only = with_sdf.c_str(), *rays_only = with_rays.c_str(), *ours_only = with_ours.c_str(),
+             *swept_only = with_surface.c_str();
   io.choiceIf(p.usesSdf() || p.usesClusters(), with_bullet.c_str(), "settings", p.settings,
               catalog().settings);
   io.fieldIf(p.usesSdf(), sdf_only, "sdf_voxel_m", p.sdf_voxel_m);
@@ -26,8 +28,9 @@ void describe(Io& io, PipelineSettings& p) {
   io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);
   io.fieldIf(rays, rays_only, "vertex_contacts", p.vertex_contacts);
   io.choiceIf(rays, rays_only, "response", p.response, catalog().responses);
-  io.fieldIf(rays, rays_only, "sweeps", p.sweeps);
-  io.fieldIf(rays, rays_only, "max_displacement_m", p.max_displacement_m);
+  io.fieldIf(rays || p.usesSurface(), ours_only, "sweeps", p.sweeps);
+  io.fieldIf(rays || p.usesSurface(), ours_only, "max_displacement_m", p.max_displacement_m);
+  io.fieldIf(p.usesSurface(), swept_only, "rounds", p.rounds);
   io.field("time_limit_s", p.time_limit_s);
 }
 

@@ -74,6 +74,14 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
             "(measure.sample_spacing_m)");
   EXPECT_NE(only(with("node_spacing_over_edge", 0.51)).find("0.51 of a mean tissue edge"), std::string::npos);
   EXPECT_NE(only(with("oblique_steps", 7LL)).find("in 7 steps a blade moves obliquely"), std::string::npos);
+  Summary truncated = with("truncated_steps", 4LL);
+  truncated.push_back({"truncated_vertices", 9LL});
+  EXPECT_EQ(
+      only(truncated),
+      "in 4 steps tissue that still crossed a tool after all rounds was stopped on its way (9 vertices)");
+  EXPECT_EQ(only(with("no_room_steps", 2LL)),
+            "after 2 steps tools left no room for tissue, which may overlap one");
+  EXPECT_TRUE(remarksOf(with("no_room_steps", 0LL)).empty());
   Summary unsound = with("unsound_tissue", std::string("vessel explodes"));
   unsound.push_back({"first_unsound_step", 12LL});
   EXPECT_EQ(only(unsound), "unsound tissue, first in step 12: vessel explodes");

@@ -106,5 +106,36 @@ TEST_F(Allocated, BulletsOwnContactBuildsNoNodesAndNoTreeOfFaces) {
   EXPECT_GE(bytes(PipelineKind::fukuhara) - bytes(PipelineKind::default_sdf), 2 * nodes + tree);
 }
 
+// What a step of a press needs is there once the press has been as deep before.
+TEST_F(Allocated, NothingMoreOnceContactWasAsLarge) {
+  scenario.force.clear();
+  scenario.time.step_s = 0.001;
+  scenario.ground = GroundSettings{.height_m = -0.03};
+  for (const PipelineKind pipeline : {PipelineKind::fukuhara, PipelineKind::swept}) {
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline};
+    Scene scene;
+    scene.bodies.push_back({.name = "sphere", .rest = placeBody(scenario.bodies[0])});
+    const Vec3 size_m(0.04, 0.002, 0.015);
+    scene.tools.push_back({.name = "spatula", .surface = makeBox(size_m), .box_size_m = size_m});
+    if (entry.usesNodes()) scene.tools[0].nodes = makeGridNodes(size_m, {32, 32});
+    std::vector<Pose> pose{{.position_m = Vec3(0, 0.033, 0), .orientation = Quat::Identity()}};
+    auto simulation = makeSimulation(scenario, entry, scene, pose);
+    const auto press = [&](double way_m) {
+      pose[0].position_m.y() -= way_m;
+      simulation->step(pose);
+    };
+    int contacts = 0;
+    for (int i = 0; i < 60; ++i) {
+      press(0.0002);
+      contacts += simulation->state().contact.contact_count;
+    }
+    ASSERT_GT(contacts, 0) << "no contact, no test: " << traitsOf(pipeline).name;
+    for (int i = 0; i < 60; ++i) press(-0.0002);
+    const long long before = allocated_bytes;
+    for (int i = 0; i < 30; ++i) press(0.0002);
+    EXPECT_EQ(allocated_bytes, before) << traitsOf(pipeline).name;
+  }
+}
+
 }  // namespace
 }  // namespace fissure::allocation_test

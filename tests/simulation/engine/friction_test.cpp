@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "contact/grid_nodes.h"
 #include "engine/simulation.h"
@@ -43,8 +44,10 @@ ToolSettings plate(const Vec3& size_m, double mu) {
 /// One body of 100 g, not damped, without ground, and box tools.
 class World {
  public:
-  World(const BodySettings& body, const std::vector<ToolSettings>& tools, const std::vector<Pose>& poses)
+  World(const BodySettings& body, const std::vector<ToolSettings>& tools, const std::vector<Pose>& poses,
+        PipelineKind pipeline)
       : poses_(poses) {
+    const PipelineSettings entry{.name = "p", .pipeline = pipeline};
     scenario_.time.step_s = kStep_s;
     scenario_.bodies = {body};
     scenario_.tools = tools;
@@ -53,10 +56,11 @@ class World {
       scene_.tools.push_back(
           {.surface = makeSurface(tool.shape),
            .box_size_m = std::get<BoxShape>(tool.shape).size_m,
-           .nodes = makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution),
+           .nodes = entry.usesNodes()
+                        ? makeGridNodes(std::get<BoxShape>(tool.shape).size_m, tool.nodes.resolution)
+                        : ToolNodes{},
            .first_node = scene_.nodeCount()});
     }
-    const PipelineSettings entry{.name = "p", .pipeline = PipelineKind::fukuhara};
     simulation_ = makeSimulation(scenario_, entry, scene_, poses_);
   }
 
@@ -95,15 +99,18 @@ const Vec3 kPlate_m(0.4, 0.01, 0.2);
 /// Of the plate's centre from the block's, when the block lies on it a margin apart.
 const Vec3 kUnder_m(0, -0.01 - 0.005 - kMargin_m, 0);
 
+const auto kPipelines = testing::Values(PipelineKind::fukuhara, PipelineKind::swept);
+
 /// Coefficient between block and slope, and how far the slope is turned about the vertical: a cone holds
 /// alike in every direction.
 struct Slope {
   double mu, turned_rad;
 };
-class FrictionOnASlope : public testing::TestWithParam<Slope> {
+class FrictionOnASlope : public testing::TestWithParam<std::tuple<Slope, PipelineKind>> {
  protected:
+  const double mu = std::get<0>(GetParam()).mu;
   static constexpr double kTangent = 0.4;
-  const Quat slope = Quat(Eigen::AngleAxisd(GetParam().turned_rad, Vec3::UnitY())) *
+  const Quat slope = Quat(Eigen::AngleAxisd(std::get<0>(GetParam()).turned_rad, Vec3::UnitY())) *
                      Quat(Eigen::AngleAxisd(std::atan(kTangent), Vec3::UnitZ()));
   const Vec3 down = -(slope * Vec3::UnitX());
 };
@@ -112,7 +119,7 @@ class FrictionOnASlope : public testing::TestWithParam<Slope> {
 TEST_P(FrictionOnASlope, ABlockSlidesAsCoulombSays) {
   BodySettings block = soft(BoxShape{kBlock_m});
   block.orientation = slope;
-  World world(block, {plate(kPlate_m, GetParam().mu)}, {{slope * kUnder_m, slope}});
+  World world(block, {plate(kPlate_m, mu)}, {{slope * kUnder_m, slope}}, std::get<1>(GetParam()));
   for (int i = 0; i < 50; ++i) world.step();  // its shape settles
   const double speed_m_s = world.velocity_m_s().dot(down);
   const Vec3 at_m = world.centre_m();
@@ -120,23 +127,27 @@ TEST_P(FrictionOnASlope, ABlockSlidesAsCoulombSays) {
   for (int i = 0; i < steps; ++i) world.step();
   const double time_s = steps * kStep_s;
   const double cosine = 1 / std::hypot(1, kTangent);
-  const double expected_m_s2 = std::max(0.0, kGravity_m_s2 * cosine * (kTangent - GetParam().mu));
+  const double expected_m_s2 = std::max(0.0, kGravity_m_s2 * cosine * (kTangent - mu));
   EXPECT_NEAR((world.velocity_m_s().dot(down) - speed_m_s) / time_s, expected_m_s2, 1e-4);
   const Vec3 way_m = world.centre_m() - at_m;
   EXPECT_NEAR(way_m.dot(down), speed_m_s * time_s + 0.5 * expected_m_s2 * time_s * (time_s + kStep_s), 2e-5);
   EXPECT_NEAR((way_m - way_m.dot(down) * down).norm(), 0, 2e-5);
-  if (GetParam().mu > kTangent) {
+  if (mu > kTangent) {
     EXPECT_NEAR(way_m.norm(), 0, 1e-8) << "sticks";
   }
 }
 INSTANTIATE_TEST_SUITE_P(Slopes, FrictionOnASlope,
-                         testing::Values(Slope{0, 0}, Slope{0.1, 0}, Slope{0.3, 0}, Slope{0.39, 0},
-                                         Slope{0.41, 0}, Slope{0.8, 0}, Slope{0.1, 0.6}, Slope{0.3, 2.5},
-                                         Slope{0.41, 0.6}));
+                         testing::Combine(testing::Values(Slope{0, 0}, Slope{0.1, 0}, Slope{0.3, 0},
+                                                          Slope{0.39, 0}, Slope{0.41, 0}, Slope{0.8, 0},
+                                                          Slope{0.1, 0.6}, Slope{0.3, 2.5}, Slope{0.41, 0.6}),
+                                          kPipelines));
+
+/// Friction as each method has it.
+class FrictionOf : public testing::TestWithParam<PipelineKind> {};
 
 // A plate starts off below a block: mu g, until the block is as fast as the plate.
-TEST(Friction, ABlockIsDraggedAlong) {
-  World world(soft(BoxShape{kBlock_m}), {plate(kPlate_m, 0.2)}, {{kUnder_m, Quat::Identity()}});
+TEST_P(FrictionOf, ABlockIsDraggedAlong) {
+  World world(soft(BoxShape{kBlock_m}), {plate(kPlate_m, 0.2)}, {{kUnder_m, Quat::Identity()}}, GetParam());
   for (int i = 0; i < 50; ++i) world.step();
   const Vec3 velocity_m_s(0.24, 0, -0.18);  // 0.3 m/s: after 153 ms of 1.96 m/s2
   for (int i = 0; i < 100; ++i) world.step({velocity_m_s});
@@ -146,9 +157,10 @@ TEST(Friction, ABlockIsDraggedAlong) {
 }
 
 // On a turntable at 2 rad/s, 50 mm from its axis: taken along, and held on its circle.
-TEST(Friction, ABlockRidesOnATurntable) {
+TEST_P(FrictionOf, ABlockRidesOnATurntable) {
   const Vec3 from_axis_m(0.05, 0, 0);
-  World world(soft(BoxShape{kBlock_m}), {plate(kPlate_m, 0.3)}, {{kUnder_m - from_axis_m, Quat::Identity()}});
+  World world(soft(BoxShape{kBlock_m}), {plate(kPlate_m, 0.3)}, {{kUnder_m - from_axis_m, Quat::Identity()}},
+              GetParam());
   const auto angle = [&] {
     const Vec3 from_m = world.centre_m() + from_axis_m;
     return std::atan2(-from_m.z(), from_m.x());
@@ -162,17 +174,17 @@ TEST(Friction, ABlockRidesOnATurntable) {
 }
 
 /// A soft sphere between two jaws that have just squeezed it by 5 mm from either side.
-World squeezed(double mu) {
+World squeezed(double mu, PipelineKind pipeline) {
   const Vec3 jaw_m(0.01, 0.06, 0.06);
   World world(soft(SphereShape{}), {plate(jaw_m, mu), plate(jaw_m, mu)},
-              {{Vec3(-0.0355, 0, 0), Quat::Identity()}, {Vec3(0.0355, 0, 0), Quat::Identity()}});
+              {{Vec3(-0.0355, 0, 0), Quat::Identity()}, {Vec3(0.0355, 0, 0), Quat::Identity()}}, pipeline);
   for (int i = 0; i < 50; ++i) world.step({Vec3(0.1, 0, 0), Vec3(-0.1, 0, 0)});
   return world;
 }
 
 // METHOD: a body lifted by two jaws with friction stays lifted.
-TEST(Friction, ABodyBetweenJawsIsLiftedAndStaysLifted) {
-  World world = squeezed(0.5);
+TEST_P(FrictionOf, ABodyBetweenJawsIsLiftedAndStaysLifted) {
+  World world = squeezed(0.5, GetParam());
   const double from_m = world.centre_m().y();
   const Vec3 up(0, 0.1, 0);
   for (int i = 0; i < 1000; ++i) world.step({up, up});
@@ -189,15 +201,15 @@ TEST(Friction, ABodyBetweenJawsIsLiftedAndStaysLifted) {
   EXPECT_NEAR((reaction_N - Vec3(0, -kWeight_N, 0)).norm(), 0, 0.01 * kWeight_N);
 }
 
-TEST(Friction, WithoutItTheBodySlipsOut) {
-  World world = squeezed(0);
+TEST_P(FrictionOf, WithoutItTheBodySlipsOut) {
+  World world = squeezed(0, GetParam());
   for (int i = 0; i < 500; ++i) world.step();
   EXPECT_LT(world.centre_m().y(), -0.5);
 }
 
 // What the jaws push and rub is the tissue's momentum, also where they turn and shake it.
-TEST(Friction, EachStepsMomentumIsGravityAndTheReaction) {
-  World world = squeezed(0.3);
+TEST_P(FrictionOf, EachStepsMomentumIsGravityAndTheReaction) {
+  World world = squeezed(0.3, GetParam());
   double rubbed_N = 0;
   for (int i = 0; i < 400; ++i) {
     const Vec3 before = kMass_kg * world.velocity_m_s();
@@ -210,6 +222,7 @@ TEST(Friction, EachStepsMomentumIsGravityAndTheReaction) {
   }
   EXPECT_GT(rubbed_N, kWeight_N) << "no friction, no test";
 }
+INSTANTIATE_TEST_SUITE_P(Pipelines, FrictionOf, kPipelines);
 
 }  // namespace
 }  // namespace fissure::friction_test

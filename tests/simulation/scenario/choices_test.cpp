@@ -60,14 +60,16 @@ TEST(PipelineTable, EachKeyHasAMeaningForTheDetectionsThatUseIt) {
     std::vector<ContactDetection> detections;
     std::string names;
   };
-  const std::vector<Key> keys = {{"settings: tuned", {sdf, clusters}, "pipelines default, null and cluster"},
-                                 {"sdf_voxel_m: 0.01", {sdf}, "pipelines default and null"},
-                                 {"kinematic_hardness: 0.5", {sdf}, "pipelines default and null"},
-                                 {"ray_length_m: 0.1", {nodes}, "pipelines raycast and fukuhara"},
-                                 {"vertex_contacts: true", {nodes}, "pipelines raycast and fukuhara"},
-                                 {"response: none", {nodes}, "pipelines raycast and fukuhara"},
-                                 {"sweeps: 5", {nodes}, "pipelines raycast and fukuhara"},
-                                 {"max_displacement_m: 0.01", {nodes}, "pipelines raycast and fukuhara"}};
+  const std::vector<Key> keys = {
+      {"settings: tuned", {sdf, clusters}, "pipelines default, null and cluster"},
+      {"sdf_voxel_m: 0.01", {sdf}, "pipelines default and null"},
+      {"kinematic_hardness: 0.5", {sdf}, "pipelines default and null"},
+      {"ray_length_m: 0.1", {nodes}, "pipelines raycast and fukuhara"},
+      {"vertex_contacts: true", {nodes}, "pipelines raycast and fukuhara"},
+      {"response: none", {nodes}, "pipelines raycast and fukuhara"},
+      {"sweeps: 5", {nodes, surface}, "pipelines raycast, fukuhara and swept"},
+      {"max_displacement_m: 0.01", {nodes, surface}, "pipelines raycast, fukuhara and swept"},
+      {"rounds: 2", {surface}, "pipeline swept"}};
   for (const PipelineTraits& pipeline : pipeline_table) {
     for (const Key& key : keys) {
       const std::string error = inputError([&] { withPipeline(pipeline, ", " + key.text); });

@@ -196,7 +196,12 @@ TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
     EXPECT_TRUE(p.usesNodes());
     EXPECT_FALSE(p.usesSdf());
   }
+  p.pipeline = PipelineKind::swept;
+  EXPECT_FALSE(p.usesNodes());
+  EXPECT_TRUE(p.usesSurface());
+  EXPECT_TRUE(p.hasFriction());
   p.pipeline = PipelineKind::prescribed;
+  EXPECT_FALSE(p.usesSurface());
   EXPECT_FALSE(p.usesNodes());
   EXPECT_FALSE(p.usesSdf());
 }

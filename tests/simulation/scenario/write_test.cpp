@@ -102,6 +102,7 @@ const char* const every_field =
     "11, "
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
+    "  - {name: c, pipeline: swept, sweeps: 12, max_displacement_m: 0.03, rounds: 7}\n"
     "force:\n"
     "  - {name: hc, model: hunt_crossley, tissue: meat_4, k: 201, lambda: 51, n: 1.4, rate: velocities}\n"
     "  - {model: linear_elastic, k: 202}\n"
@@ -175,6 +176,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                               {},
                                               30,
                                               0.005,
+                                              4,
                                               9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[1].precision, Precision::f32);
@@ -189,7 +191,13 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                               ContactResponse::momentum,
                                               11,
                                               0.02,
+                                              4,
                                               3600}));
+  EXPECT_EQ(s.pipelines[3], (PipelineSettings{.name = "c",
+                                              .pipeline = PipelineKind::swept,
+                                              .sweeps = 12,
+                                              .max_displacement_m = 0.03,
+                                              .rounds = 7}));
   EXPECT_EQ(s.force,
             (std::vector<ForceSettings>{
                 {.name = "hc",
@@ -339,7 +347,7 @@ TEST(Configs, SpatulaPressIsThePapersFirstScene) {
   expectPressedFrom6To25mm(s);
   std::vector<std::string> names;
   for (const PipelineSettings& pipeline : s.pipelines) names.push_back(pipeline.name);
-  EXPECT_EQ(names, (std::vector<std::string>{"default", "default_tuned", "raycast", "fukuhara"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"default", "default_tuned", "raycast", "fukuhara", "swept"}));
 }
 
 TEST(Configs, PlatePressIsThePlateOnTheFinerSphere) {

@@ -1,0 +1,80 @@
+#include "contact/path_truncation.h"
+
+#include <algorithm>
+
+namespace fissure {
+
+namespace {
+constexpr int kShortenings = 12;                 ///< passes that leave a stopped vertex a part of its path
+constexpr double kKept = 0.8;                    ///< of the path up to the crossing
+constexpr double kLeastSeparation = 1.0 / 1000;  ///< of a margin
+}  // namespace
+
+void PathTruncation::clear() {
+  std::fill(stopped_by_.begin(), stopped_by_.end(), kNone);
+  std::fill(rides_.begin(), rides_.end(), 0);
+  stopped_.clear();
+  left_overlap_ = false;
+}
+
+void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses,
+                           const StepView& step, std::span<const Vec3> way_m, std::span<Vec3> motion_m) {
+  clear();
+  bool stopped_more = true;
+  for (int pass = 0; stopped_more; ++pass) {
+    only_ride_ = pass >= kShortenings;
+    stopped_more = left_overlap_ = false;
+    for (std::size_t o = 0; o < obstacles.size(); ++o) {
+      SweptObstacle& obstacle = obstacles[o];
+      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
+      const double separation_m = kLeastSeparation * obstacle.margin_m;
+      obstacle.pairs.gather(obstacle.path(), separation_m);
+      crossings_.clear();
+      obstacle.pairs.findCrossings(obstacle.path(), separation_m, crossings_);
+      left_overlap_ |= !crossings_.empty();
+      for (const SweptPair& pair : crossings_)
+        stopped_more |= stop(obstacle, static_cast<int>(o), pair, step, inverse_masses);
+    }
+  }
+  for (std::size_t v = 0; v < stopped_by_.size(); ++v) {
+    if (stopped_by_[v] == kNone) continue;
+    const SweptObstacle& obstacle = obstacles[stopped_by_[v]];
+    const Vec3& at_m = obstacle.before_m[v - obstacle.first_vertex];
+    const Vec3 tool_way_m = step.tools_now[obstacle.tool].pose.toScene(at_m) -
+                            step.tools_before[obstacle.tool].pose.toScene(at_m);
+    const Vec3 change_m = tool_way_m - way_m[v] - motion_m[v];
+    motion_m[v] += change_m;
+    stopped_.push_back({static_cast<int>(v), obstacle.tool, change_m / inverse_masses[v]});
+  }
+  counts_.vertices += static_cast<long long>(stopped_.size());
+  counts_.steps += stopped_.empty() ? 0 : 1;
+  counts_.no_room_steps += left_overlap_ ? 1 : 0;
+}
+
+// Whether a vertex of the pair was moved. While paths are shortened any obstacle may; then each vertex is
+// taken at most once by every obstacle, and kept by the first.
+bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptPair& pair,
+                          const StepView& step, std::span<const double> inverse_masses) {
+  bool moved = false;
+  for (int j = 0; j < 3; ++j) {
+    const std::size_t of_body = pair.vertices[j], v = obstacle.first_vertex + of_body;
+    if (inverse_masses[v] == 0 || (j > 0 && pair.vertices[j] == pair.vertices[j - 1])) continue;
+    if (only_ride_ && rides_[v] && stopped_by_[v] <= index) continue;
+    const double share = only_ride_ ? 0 : kKept * pair.time;
+    const Vec3 &from_m = obstacle.before_m[of_body], &to_m = obstacle.now_m[of_body];
+    step.positions_m[v] = step.tools_now[obstacle.tool].pose.toScene(from_m + share * (to_m - from_m));
+    stopped_by_[v] = index;
+    rides_[v] = only_ride_ ? 1 : 0;
+    moved = true;
+  }
+  return moved;
+}
+
+Vec3 PathTruncation::impulse(int tool, std::span<const double> factors) const {
+  Vec3 sum_kg_m = Vec3::Zero();
+  for (const Stopped& stopped : stopped_)
+    if (tool < 0 || stopped.tool == tool) sum_kg_m += factors[stopped.vertex] * stopped.impulse_kg_m;
+  return sum_kg_m;
+}
+
+}  // namespace fissure

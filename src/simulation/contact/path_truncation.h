@@ -1,0 +1,61 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/step_view.h"
+#include "contact/swept_obstacle.h"
+
+namespace fissure {
+
+/// What truncation did so far.
+struct TruncationCounts {
+  long long steps = 0;          ///< in which it stopped tissue
+  long long vertices = 0;       ///< stopped, over these steps
+  long long no_room_steps = 0;  ///< after which tissue may overlap a tool
+};
+
+/// The last resort of swept contact (METHOD section 9): tissue that still crosses a tool after all rounds is
+/// stopped on its path before that, at worst where it was when the step began in the tool's frame: it then
+/// rides with the tool. Every pass stops more, and looks at all tools again. Where tools leave no room, the
+/// first in the scenario's order stays free of tissue, fixed vertices never move, and the step counts as one
+/// without room.
+class PathTruncation {
+ public:
+  explicit PathTruncation(int vertex_count) : stopped_by_(vertex_count, kNone), rides_(vertex_count) {}
+
+  /// Moves the step's positions_m until nothing crosses. A stopped vertex takes the tool's velocity: its
+  /// share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the tool's way less the vertex's
+  /// own, `way_m`, before its contacts. inverse_masses: one a vertex in 1/kg, 0: fixed.
+  void apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses, const StepView& step,
+             std::span<const Vec3> way_m, std::span<Vec3> motion_m);
+
+  /// Of the last apply, times the time step: the impulse that stopping gave the tissue, each vertex's times
+  /// its factor; of one tool, or with `tool` -1 of all. kg m.
+  Vec3 impulse(int tool, std::span<const double> factors) const;
+  void clear();
+
+  /// Whether the last apply left tissue that may overlap a tool.
+  bool leftOverlap() const { return left_overlap_; }
+  const TruncationCounts& counts() const { return counts_; }
+
+ private:
+  static constexpr int kNone = -1;
+  struct Stopped {
+    int vertex = 0, tool = 0;
+    Vec3 impulse_kg_m;
+  };
+
+  bool stop(const SweptObstacle& obstacle, int index, const SweptPair& pair, const StepView& step,
+            std::span<const double> inverse_masses);
+
+  TruncationCounts counts_;
+  std::vector<int> stopped_by_;      ///< per vertex: index of the last obstacle that stopped it
+  std::vector<std::uint8_t> rides_;  ///< per vertex, 1: it is where it was, in that obstacle's frame
+  std::vector<SweptPair> crossings_;
+  std::vector<Stopped> stopped_;
+  bool only_ride_ = false;  ///< paths were shortened often enough
+  bool left_overlap_ = false;
+};
+
+}  // namespace fissure

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/stage_times.h"
+#include "base/state.h"
+#include "contact/contact_impulses.h"
+#include "contact/contact_patch.h"
+#include "contact/path_truncation.h"
+#include "contact/step_view.h"
+#include "contact/swept_obstacle.h"
+
+namespace fissure {
+
+struct SweptContactSettings {
+  int rounds = 4;   ///< responses in a step, at most; then tissue that still crosses a tool is stopped
+  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts in each of them
+  double max_displacement_m = 0.005;  ///< way on which a tool that starts in tissue is freed in a step
+  std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
+  std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
+  /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's; empty:
+  /// frictionless.
+  std::vector<double> body_frictions, tool_frictions;
+};
+
+/// Wall time of SweptContact's steps so far, seconds.
+struct SweptTimes {
+  double search_s = 0;        ///< for pairs that are near and for pairs that cross
+  double displacement_s = 0;  ///< of the tissue, with its response
+  double truncation_s = 0;
+  double report_s = 0;  ///< states, counts and the patch of contacts
+};
+
+/// Contact of all of the tools' surface with all of the tissue's (METHOD section 9): pairs that are near when
+/// the step begins, and pairs that cross on the path of the step, are held apart by impulses; the result is
+/// searched for crossings again, and what still crosses after the last round is stopped on its path. No step
+/// ends with tissue in a tool but where tools leave no room for it. Tissue against itself and against other
+/// tissue is not covered. One object belongs to one run.
+///
+/// The force of a triangle counts in full where a contact holds it, and fades out as contacts are farther
+/// from the tool than a margin: at two margins none counts. So triangles come and go without jumps. Pairs
+/// that cross count only at vertices where none was near: they hang on what the engine's solve predicts, and
+/// come and go with it.
+///
+/// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
+/// beside it and comes back, max_displacement_m a step.
+class SweptContact {
+ public:
+  SweptContact(const Scene& scene, SweptContactSettings settings);
+
+  /// One step, after the engine's own solve: moves its positions_m in place. inverse_masses: one per vertex
+  /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
+  void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
+            ContactPatch& patch);
+
+  /// The share of each vertex's displacement in the last step that changes its velocity.
+  std::span<const Vec3> motion_m() const { return impulses_.motion_m(); }
+  const DisplacementCounts& displacementCounts() const { return impulses_.counts(); }
+  const TruncationCounts& truncationCounts() const { return truncation_.counts(); }
+  long long rounds() const { return rounds_; }
+  const SweptTimes& times() const { return times_; }
+
+ private:
+  /// What a constraint stems from.
+  struct Source {
+    int obstacle = 0;
+    SweptPair pair;
+    int earlier = -1;  ///< the constraint before it with the same first vertex
+  };
+
+  void placeTools(const StepView& step);
+  void freeTools(const StepView& step);
+  void findNear(const StepView& step);
+  bool findCrossings(const StepView& step, bool responded);
+  void shareRoom();
+  void add(const StepView& step, const Source& source);
+  int indexOf(const Source& source) const;
+  ContactConstraint constraintOf(const StepView& step, const Source& source) const;
+  void report(const StepView& step, ContactOutcome& outcome, ContactPatch& patch);
+  void touch(const StepView& step, std::size_t index, std::span<const std::uint8_t> but_at,
+             ContactPatch& patch) const;
+
+  SweptContactSettings settings_;
+  std::size_t body_count_, tool_count_;
+  int face_count_;
+  std::vector<SweptObstacle> obstacles_;  ///< tool by tool, body by body
+  ContactImpulses impulses_;
+  PathTruncation truncation_;
+  std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
+  std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
+  long long rounds_ = 0;
+  SweptTimes times_;
+
+  bool may_overlap_ = true;
+  std::vector<Vec3> beside_m_;  ///< one a tool: from where it is to where it is taken to be
+  /// Tools as contacts take them: where the path of the step begins, and, `beside` alike at both ends, when
+  /// the step began and now.
+  std::vector<ToolState> path_from_, tools_before_, tools_now_;
+  std::vector<Vec3> solved_m_;  ///< positions before the contacts
+  std::vector<ContactConstraint> constraints_;
+  std::vector<Source> sources_;  ///< one a constraint
+  std::size_t near_count_ = 0;   ///< how many of them, the first ones, were near when the step began
+  std::vector<std::uint8_t> near_contact_;  ///< per vertex, 1: one of those counts at it
+  std::vector<int> latest_;  ///< per vertex: the last constraint with it as its first vertex; -1: none
+  std::vector<SweptPair> found_;
+};
+
+}  // namespace fissure

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/scene.h"
+#include "base/state.h"
+#include "contact/swept_pairs.h"
+
+namespace fissure {
+
+/// One tool as one body meets it: all is in the tool's frame, where the tool rests.
+struct SweptObstacle {
+  SweptObstacle(const Scene& scene, std::size_t of_tool, std::size_t of_body, double margin)
+      : tool(static_cast<int>(of_tool)),
+        body(of_body),
+        first_vertex(static_cast<std::size_t>(scene.bodies[of_body].first_vertex)),
+        first_face(static_cast<std::size_t>(scene.bodies[of_body].first_face)),
+        margin_m(margin),
+        pairs(scene.tools[of_tool], scene.bodies[of_body]),
+        before_m(scene.bodies[of_body].rest.vertices_m.size()),
+        now_m(before_m.size()) {}
+
+  int tool;
+  std::size_t body;
+  std::size_t first_vertex, first_face;  ///< of the body, over all bodies
+  double margin_m;                       ///< how far in front of the tool the body is held
+  SweptPairs pairs;
+  std::vector<Vec3> before_m, now_m;  ///< of the body's vertices, when the step began and now
+
+  TissuePath path() const { return {before_m, now_m}; }
+  /// `positions_m`: of all bodies, scene frame.
+  void setBefore(const Pose& tool_pose, std::span<const Vec3> positions_m) {
+    for (std::size_t v = 0; v < before_m.size(); ++v)
+      before_m[v] = tool_pose.toBody(positions_m[first_vertex + v]);
+  }
+  void setNow(const Pose& tool_pose, std::span<const Vec3> positions_m) {
+    for (std::size_t v = 0; v < now_m.size(); ++v) now_m[v] = tool_pose.toBody(positions_m[first_vertex + v]);
+  }
+};
+
+}  // namespace fissure

@@ -1,0 +1,181 @@
+#include "contact/swept_contact.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "mesh/primitives.h"
+#include "slow_distance.h"
+
+namespace fissure::swept_contact_test {
+
+namespace {
+
+constexpr double kMargin_m = 0.0005;
+constexpr double kMass_kg = 0.01;  ///< of each vertex
+constexpr double kStep_s = 0.001;
+
+/// A ball of 10 mm at the origin that stays where contact puts it, and box tools. Nothing but contact moves
+/// it.
+class Ball {
+ public:
+  Ball(const std::vector<Vec3>& sizes_m, const std::vector<Vec3>& at_m, SweptContactSettings settings = {},
+       const std::vector<int>& fixed = {}) {
+    scene.bodies.push_back({.name = "ball", .rest = makeSphere(0.01, 2)});
+    for (std::size_t t = 0; t < sizes_m.size(); ++t) {
+      scene.tools.push_back({.name = "t", .surface = makeBox(sizes_m[t]), .box_size_m = sizes_m[t]});
+      tools.push_back({.pose = {.position_m = at_m[t]}});
+    }
+    settings.margins_m = {kMargin_m};
+    inverse_masses.assign(scene.vertexCount(), 1 / kMass_kg);
+    for (const int v : fixed) inverse_masses[v] = 0;
+    positions_m = scene.bodies[0].rest.vertices_m;
+    contact.emplace(scene, std::move(settings));
+    patch.resize(scene.vertexCount(), scene.faceCount(), scene.tools.size());
+  }
+
+  /// The tissue would go `drift_m`; each tool goes its way.
+  void step(const std::vector<Vec3>& ways_m, const Vec3& drift_m = Vec3::Zero()) {
+    before_m = positions_m;
+    const std::vector<ToolState> were = tools;
+    for (std::size_t t = 0; t < ways_m.size(); ++t) tools[t].pose.position_m += ways_m[t];
+    for (std::size_t v = 0; v < positions_m.size(); ++v)
+      if (inverse_masses[v] > 0) positions_m[v] += drift_m;
+    contact->step({.positions_m = positions_m,
+                   .before_m = before_m,
+                   .tools_before = were,
+                   .tools_now = tools,
+                   .dt_s = kStep_s},
+                  inverse_masses, outcome, patch);
+  }
+  bool overlaps(std::size_t tool) const {
+    SweptPairs pairs(scene.tools[tool], scene.bodies[0]);
+    std::vector<Vec3> in_tool_m;
+    for (const Vec3& p : positions_m) in_tool_m.push_back(tools[tool].pose.toBody(p));
+    return pairs.overlap(in_tool_m);
+  }
+  /// Momentum of the last step's motion, over the time step.
+  Vec3 force_N() const {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t v = 0; v < positions_m.size(); ++v)
+      if (inverse_masses[v] > 0) sum += contact->motion_m()[v] / inverse_masses[v];
+    return sum / (kStep_s * kStep_s);
+  }
+
+  Scene scene;
+  std::vector<ToolState> tools;
+  std::vector<double> inverse_masses;
+  std::vector<Vec3> before_m, positions_m;
+  std::optional<SweptContact> contact;
+  ContactOutcome outcome;
+  ContactPatch patch;
+};
+
+const Vec3 kBlade_m(0.04, 0.002, 0.015);
+
+class Rounds : public testing::TestWithParam<int> {};
+
+// However fast, and by truncation alone: the blade takes the tissue along.
+TEST_P(Rounds, ABladeNeverEntersTissue) {
+  for (const double way_m : {0.0003, 0.003, 0.03}) {
+    Ball ball({kBlade_m}, {Vec3(0.001, 0.0125, 0.0005)}, {.rounds = GetParam()});
+    for (int i = 0; i < 20; ++i) {
+      ball.step({Vec3(0, -way_m, 0)});
+      ASSERT_FALSE(ball.overlaps(0)) << way_m << ", step " << i;
+      ASSERT_NEAR((ball.force_N() + ball.outcome.reaction_on_tool_N).norm(), 0,
+                  1e-12 * (1 + ball.force_N().norm()));
+    }
+    EXPECT_LT(ball.positions_m[0].y(), 0.012) << "pushed ahead";
+    EXPECT_EQ(ball.contact->truncationCounts().no_room_steps, 0);
+    EXPECT_TRUE(GetParam() == 1 || (ball.contact->truncationCounts().steps > 0) == (GetParam() == 0))
+        << way_m;
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Rounds, Rounds, testing::Values(0, 1, 4));
+
+// What is stopped has the velocity of the tool that stopped it.
+TEST(Truncation, AStoppedVertexTakesTheToolsVelocity) {
+  Ball ball({kBlade_m}, {Vec3(0.001, 0.0125, 0.0005)}, {.rounds = 0});
+  const Vec3 way_m(0, -0.003, 0), drift_m(0, 0.001, 0);
+  ball.step({way_m}, drift_m);
+  int stopped = 0;
+  for (std::size_t v = 0; v < ball.positions_m.size(); ++v) {
+    const Vec3 motion_m = ball.contact->motion_m()[v];
+    if (motion_m.isZero(0)) continue;
+    ++stopped;
+    EXPECT_NEAR((drift_m + motion_m - way_m).norm(), 0, 1e-15);
+  }
+  EXPECT_EQ(stopped, ball.contact->truncationCounts().vertices);
+  EXPECT_GT(stopped, 0);
+  EXPECT_NEAR(
+      (ball.outcome.reaction_on_tool_N + stopped * kMass_kg * (way_m - drift_m) / (kStep_s * kStep_s)).norm(),
+      0, 1e-6);
+}
+
+// Nothing moves a fixed vertex: such a step is counted, and what is not fixed stays out.
+TEST(Truncation, AFixedVertexLeavesNoRoom) {
+  std::vector<int> all(66);
+  std::iota(all.begin(), all.end(), 0);
+  Ball ball({kBlade_m}, {Vec3(0.001, 0.0125, 0.0005)}, {}, all);
+  const std::vector<Vec3> rest_m = ball.positions_m;
+  ball.step({Vec3(0, -0.006, 0)});
+  EXPECT_EQ(ball.positions_m, rest_m);
+  EXPECT_EQ(ball.contact->truncationCounts().no_room_steps, 1);
+}
+
+// Two plates that close altogether: the first of the scenario stays free of tissue, and it ends.
+TEST(Truncation, BetweenToolsThatCloseTheFirstStaysFree) {
+  const Vec3 plate_m(0.05, 0.002, 0.05);
+  Ball ball({plate_m, plate_m}, {Vec3(0, 0.0125, 0), Vec3(0, -0.0125, 0)});
+  int without_room = 0;
+  for (int i = 0; i < 14; ++i) {
+    ball.step({Vec3(0, -0.001, 0), Vec3(0, 0.001, 0)});
+    const bool counted = ball.contact->truncationCounts().no_room_steps > without_room;
+    without_room += counted ? 1 : 0;
+    for (const Vec3& p : ball.positions_m) ASSERT_LT(p.norm(), 1) << "step " << i;
+    EXPECT_TRUE(counted || !(ball.overlaps(0) || ball.overlaps(1))) << "step " << i;
+  }
+  EXPECT_GT(without_room, 0);
+  EXPECT_LT(without_room, 10) << "as long as there is room it is kept";
+}
+
+// A tool that starts inside is freed on its shortest way, at most so far in a step, without throwing tissue.
+TEST(StartsInside, AToolIsFreedStepByStepAndThrowsNothing) {
+  Ball ball({kBlade_m}, {Vec3(0.0005, 0.006, 0.0005)}, {.max_displacement_m = 0.002});
+  ASSERT_TRUE(ball.overlaps(0));
+  int steps = 0;
+  while (ball.overlaps(0) && steps < 20) {
+    ball.step({Vec3::Zero()});
+    EXPECT_LT(ball.outcome.reaction_on_tool_N.norm(), 1e-6) << "displacement without motion";
+    ++steps;
+  }
+  EXPECT_GE(steps, 3) << "6 mm at 2 mm a step";
+  EXPECT_LE(steps, 4);
+  ball.step({Vec3(0, -0.001, 0)});
+  EXPECT_FALSE(ball.overlaps(0));
+}
+
+// The weight of a triangle's force: all of it at a margin, none at two, nothing in between jumps.
+TEST(FaceWeights, FadeOutBetweenOneMarginAndTwo) {
+  double last = 1;
+  for (const double margins : {1.0, 1.2, 1.5, 1.8, 2.1}) {
+    Ball ball({Vec3(0.05, 0.002, 0.05)}, {Vec3(0.0003, 0.011 + margins * kMargin_m, 0.0002)});
+    ball.step({Vec3::Zero()});
+    const double most = *std::max_element(ball.patch.face_weights.begin(), ball.patch.face_weights.end());
+    EXPECT_EQ(most == 0, margins > 2) << margins;
+    EXPECT_TRUE(margins == 1 ? most > 1 - 1e-6 : most < last) << margins;
+    last = most;
+  }
+}
+
+TEST(OpposingContacts, ShareTheRoomThatIsLeft) {
+  const Vec3 plate_m(0.05, 0.002, 0.05);
+  // A thin spike of the ball, its top vertex, between two plates 0.6 mm apart.
+  Ball ball({plate_m, plate_m}, {Vec3(0.0265, 0.0102, 0.0002), Vec3(-0.0265, 0.0102, 0.0002)});
+  for (const double way_m : {0.0002, 0.0002, 0.0002}) ball.step({Vec3(-way_m, 0, 0), Vec3(way_m, 0, 0)});
+  EXPECT_EQ(ball.contact->truncationCounts().no_room_steps, 0);
+  EXPECT_FALSE(ball.overlaps(0) || ball.overlaps(1));
+}
+
+}  // namespace
+}  // namespace fissure::swept_contact_test
