@@ -1,31 +1,8 @@
 // Files of a size that no scenario has: refused in one line, or read in a time that grows as they do.
-#include <cstdlib>
-#include <new>
-
+#include "allocations.h"
 #include "scenario/compose.h"
 #include "scenario/yaml_document.h"
 #include "scenario_text.h"
-
-namespace {
-long long allocations = 0;
-}
-
-void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* memory = std::malloc(size)) return memory;
-  throw std::bad_alloc();
-}
-// Of temporary buffers, as std::stable_sort has them.
-void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
-  ++allocations;
-  return std::malloc(size);
-}
-void operator delete(void* memory) noexcept {
-  std::free(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  std::free(memory);
-}
 
 namespace fissure::size_test {
 
@@ -59,10 +36,10 @@ YamlNode namedItems(int count) {
 /// names makes some.
 long long workOfMerging(int count) {
   YamlNode base = namedItems(count), top = namedItems(count);
-  const long long before = allocations;
+  const long long before = bench::allocations();
   const YamlNode merged = merge(std::move(base), std::move(top));
   EXPECT_EQ(merged.children.size(), static_cast<std::size_t>(count));
-  return allocations - before;
+  return bench::allocations() - before;
 }
 
 TEST(Sizes, MergingNamedItemsGrowsAsTheirNumber) {
