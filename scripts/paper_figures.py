@@ -9,7 +9,7 @@ import numpy as np
 from montage import COLOURS, nearest
 
 NAMES = {"default": "Bullet's default, stock", "default_tuned": "Bullet's default, tuned", "raycast": "ray casting alone",
-         "paper": "both steps, the paper's alone", "fukuhara": "both steps, as fissure has them"}
+         "paper": "both steps, the paper's alone", "fukuhara": "both steps, as fissure has them", "swept": "the whole surface, swept"}
 
 
 def save(figure, path):
@@ -49,7 +49,7 @@ def draw_fast(results, path):
     for axes, run in zip(frame_grid(upper, 3, 3), runs):
         show_frames(axes, fast, run, (0.005, 0.015, 0.25))
     axis = lower.subplots()
-    for colour, run in zip(COLOURS, (*runs, "fukuhara")):
+    for colour, run in zip(COLOURS, (*runs, "fukuhara", "swept")):
         axis.plot(fast.read(run, "time"), 1000 * fast.read(run, "penetration_depth"), color=colour, label=NAMES[run])
     finish(axis, "penetration depth [mm]")
     save(figure, path)
@@ -63,7 +63,7 @@ def draw_unstable(results, path):
     for axes, run in zip(frame_grid(upper, 3, 3), runs):
         show_frames(axes, press, run, (0.1, 0.2, 0.55))
     left, right = lower.subplots(1, 2)
-    for colour, run in zip(COLOURS[2:], runs):
+    for colour, run in zip(COLOURS[2:], (*runs, "swept")):
         time = press.read(run, "time")
         left.plot(time, np.linalg.norm(press.read(run, "force")[0], axis=1), color=colour, label=NAMES[run], linewidth=1)
         right.plot(time, press.read(run, "inverted_triangles"), color=colour, label=NAMES[run], linewidth=1)
@@ -74,12 +74,13 @@ def draw_unstable(results, path):
 
 def draw_shapes(results, path):
     """Fig. 4: a convex tool and a clamp."""
-    figure = plt.figure(figsize=(10, 10), constrained_layout=True)
-    axes = frame_grid(figure, 4, 3)
+    figure = plt.figure(figsize=(10, 12.5), constrained_layout=True)
+    axes = frame_grid(figure, 5, 3)
     show_frames(axes[0], results["convex"], "paper", (0.15, 0.25, 0.55))
     show_frames(axes[1], results["convex"], "fukuhara", (0.15, 0.25, 0.55))
-    show_frames(axes[2], results["sphere"], "fukuhara", (0.25, 0.45, 0.9))
-    show_frames(axes[3], results["vessel"], "fukuhara", (0.3, 1.0, np.inf))
+    show_frames(axes[2], results["convex"], "swept", (0.15, 0.25, 0.55))
+    show_frames(axes[3], results["sphere"], "fukuhara", (0.25, 0.45, 0.9))
+    show_frames(axes[4], results["vessel"], "fukuhara", (0.3, 1.0, np.inf))
     save(figure, path)
 
 

@@ -8,7 +8,8 @@ from references import ROOT, fissure
 
 METHOD = "{name: paper, pipeline: fukuhara, response: none, vertex_contacts: false}"  # the paper's, and nothing else
 DEFAULTS = "{name: default, pipeline: default, settings: stock}, {name: default_tuned, pipeline: default, settings: tuned}"
-OURS = "{pipeline: fukuhara}"
+NODES = "{pipeline: fukuhara}"
+OURS = NODES + ", {pipeline: swept}"
 SPEED = "tools.{}.motion.segments.0.speed_m_s={}"
 SPEEDS_M_S = (0.02, 0.1, 2)
 PRESSES_MM = (1, 5, 25)
@@ -48,7 +49,7 @@ def all_runs():
         "spatula_press", pipelines("{pipeline: raycast}", METHOD),
         f"tools.spatula.shape.size_m=[0.04, {mm / 1000}, 0.015]", f"tools.spatula.motion.start_m=[0, {0.066 + mm / 2000}, 0]",
         f"tools.spatula.motion.segments.0.move_to_m=[0, {0.035 + mm / 2000}, 0]") for mm in THICKNESSES_MM}
-    law = {"law": Run("spatula_press", pipelines("{pipeline: raycast}", METHOD, OURS), "time.settle_s=0")}
+    law = {"law": Run("spatula_press", pipelines("{pipeline: raycast}", METHOD, NODES), "time.settle_s=0")}
     shape = {"convex": Run("convex_spatula", pipelines(METHOD, OURS), "measure.sample_spacing_m=0.001", frames=True),
              "coarse": Run("convex_spatula", pipelines(METHOD, OURS), "bodies.sphere.shape.subdivisions=2",
                            "measure.sample_spacing_m=0.001"),
