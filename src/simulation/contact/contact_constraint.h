@@ -20,11 +20,16 @@ struct ContactConstraint {
   double friction = 0;  ///< Coulomb's coefficient of tissue on tool; only ContactImpulses rubs
 };
 
+/// How many of the corners a point of a triangle takes part in: one for a vertex, whose weight comes first.
+inline int cornersOf(const std::array<double, 3>& weights) {
+  return weights[0] == 1 ? 1 : 3;
+}
+
 /// The point with barycentric coordinates `weights` in a triangle: of positions, or of ways of the vertices.
 inline Vec3 pointOf(const Face& vertices, const std::array<double, 3>& weights,
                     std::span<const Vec3> of_vertices) {
   Vec3 point = Vec3::Zero();
-  for (int j = 0; j < 3; ++j) point += weights[j] * of_vertices[vertices[j]];
+  for (int j = 0; j < cornersOf(weights); ++j) point += weights[j] * of_vertices[vertices[j]];
   return point;
 }
 

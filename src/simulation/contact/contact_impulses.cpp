@@ -8,7 +8,7 @@ namespace {
 
 void move(const ContactConstraint& contact, double push_kg_m, std::span<const double> inverse_masses,
           std::span<Vec3> of_vertices) {
-  for (int j = 0; j < 3; ++j) {
+  for (int j = 0; j < cornersOf(contact.weights); ++j) {
     const int vertex = contact.vertices[j];
     of_vertices[vertex] += push_kg_m * inverse_masses[vertex] * contact.weights[j] * contact.normal;
   }
@@ -16,7 +16,7 @@ void move(const ContactConstraint& contact, double push_kg_m, std::span<const do
 
 void move(const ContactConstraint& contact, const Vec3& push_kg_m, std::span<const double> inverse_masses,
           std::span<Vec3> of_vertices) {
-  for (int j = 0; j < 3; ++j) {
+  for (int j = 0; j < cornersOf(contact.weights); ++j) {
     const int vertex = contact.vertices[j];
     of_vertices[vertex] += inverse_masses[vertex] * contact.weights[j] * push_kg_m;
   }
@@ -85,8 +85,10 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
 
 void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses, std::span<Vec3> positions_m) {
-  for (int sweep = 0; sweep < sweeps_; ++sweep) {
-    counts_.sweeps += constraints.empty() ? 0 : 1;
+  bool changed = !constraints.empty();
+  for (int sweep = 0; changed && sweep < sweeps_; ++sweep) {
+    ++counts_.sweeps;
+    changed = false;
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& contact = constraints[i];
       Push& push = pushes_[i];
@@ -94,18 +96,21 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
       const double short_by_m =
           contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
       const double change_kg_m = std::max(short_by_m / push.mobility, -push.kg_m);
-      counts_.pushes += change_kg_m != 0 ? 1 : 0;
-      push.kg_m += change_kg_m;
-      move(contact, change_kg_m, inverse_masses, positions_m);
+      if (change_kg_m != 0) {
+        ++counts_.pushes;
+        changed = true;
+        push.kg_m += change_kg_m;
+        move(contact, change_kg_m, inverse_masses, positions_m);
+      }
       if (contact.friction > 0)
-        rub(contact, push, pointOf(contact, positions_m), inverse_masses, positions_m);
+        changed |= rub(contact, push, pointOf(contact, positions_m), inverse_masses, positions_m);
     }
   }
 }
 
 // `point_m`: where the tissue point is by those of its displacements that `of_vertices` counts. What slips is
-// stopped, or slowed down by as much as the push along the normal allows.
-void ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
+// stopped, or slowed down by as much as the push along the normal allows. Whether that changed anything.
+bool ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
                           std::span<const double> inverse_masses, std::span<Vec3> of_vertices) {
   Vec3 slip_m = point_m - push.stuck_at_m;
   slip_m -= slip_m.dot(contact.normal) * contact.normal;
@@ -113,8 +118,10 @@ void ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Ve
   const double most_kg_m = contact.friction * std::max(push.kg_m, 0.0);  // rounding may leave less than none
   const double wanted_kg_m = friction_kg_m.norm();
   if (wanted_kg_m > most_kg_m) friction_kg_m *= most_kg_m / wanted_kg_m;
-  move(contact, Vec3(friction_kg_m - push.friction_kg_m), inverse_masses, of_vertices);
+  const Vec3 change_kg_m = friction_kg_m - push.friction_kg_m;
+  move(contact, change_kg_m, inverse_masses, of_vertices);
   push.friction_kg_m = friction_kg_m;
+  return change_kg_m != Vec3::Zero();
 }
 
 // Where a contact pushed and its tissue now leaves the tool, the part of that speed that comes from undoing
@@ -122,8 +129,10 @@ void ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Ve
 // the motion, what slips in the motion, by what is left of the push.
 void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constraints,
                                        std::span<const double> inverse_masses) {
-  for (int sweep = 0; sweep < sweeps_; ++sweep) {
-    counts_.sweeps += constraints.empty() ? 0 : 1;
+  bool changed = !constraints.empty();
+  for (int sweep = 0; changed && sweep < sweeps_; ++sweep) {
+    ++counts_.sweeps;
+    changed = false;
     for (std::size_t i = 0; i < constraints.size(); ++i) {
       const ContactConstraint& contact = constraints[i];
       Push& push = pushes_[i];
@@ -134,13 +143,14 @@ void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constr
         const double removed_m =
             std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
         counts_.pushes += removed_m != 0 ? 1 : 0;
+        changed |= removed_m != 0;
         push.old_overlap_m -= removed_m;
         push.kg_m -= removed_m / push.mobility;
         move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);
       }
       if (contact.friction > 0)
-        rub(contact, push, pointOf(contact, start_m_) + pointOf(contact, motion_m_), inverse_masses,
-            motion_m_);
+        changed |= rub(contact, push, pointOf(contact, start_m_) + pointOf(contact, motion_m_),
+                       inverse_masses, motion_m_);
     }
   }
 }

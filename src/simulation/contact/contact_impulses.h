@@ -9,10 +9,11 @@
 namespace fissure {
 
 /// Contacts as impulses (METHOD section 5, response momentum): Gauss-Seidel sweeps as EnforcedDisplacement's,
-/// but each contact remembers its push and may take back no more than that, so that contacts that share a
-/// triangle end at the least push that holds all (as accumulated impulses do in rigid-body solvers); and the
-/// displacement is motion, so the tissue's momentum changes by what its contacts pushed. What only undoes
-/// overlap that was there when the step began is displacement without motion, so that it throws nothing out.
+/// until one changes nothing, but each contact remembers its push and may take back no more than that, so
+/// that contacts that share a triangle end at the least push that holds all (as accumulated impulses do in
+/// rigid-body solvers); and the displacement is motion, so the tissue's momentum changes by what its contacts
+/// pushed. What only undoes overlap that was there when the step began is displacement without motion, so
+/// that it throws nothing out.
 ///
 /// Coulomb friction: within the same sweeps a contact also pushes along the tool's surface, against what the
 /// tissue point slips on it in the step, by at most `friction` times its push along the normal: a cone, as a
@@ -58,7 +59,7 @@ class ContactImpulses {
                std::span<Vec3> positions_m);
   void forgetOldOverlap(std::span<const ContactConstraint> constraints,
                         std::span<const double> inverse_masses);
-  static void rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
+  static bool rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
                   std::span<const double> inverse_masses, std::span<Vec3> of_vertices);
 
   int sweeps_;
