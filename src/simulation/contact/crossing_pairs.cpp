@@ -86,31 +86,29 @@ struct CrossingSearch {
 void SweptPairs::findCrossings(const TissuePath& path, double separation_m,
                                std::vector<SweptPair>& pairs) const {
   CrossingSearch search{tool_, body_, corners_m_, path, separation_m, pairs};
-  /// Does the box round these vertices on their path meet one of the tool's?
-  const auto meets = [&](std::initializer_list<int> vertices, const Box& box) {
+  /// Round these vertices on their path, as wide as the separation.
+  const auto boxOf = [&](std::initializer_list<int> vertices) {
     Vec3 low = path.from_m[*vertices.begin()], high = low;
     for (const int v : vertices) {
       low = low.cwiseMin(path.from_m[v]).cwiseMin(path.to_m[v]);
       high = high.cwiseMax(path.from_m[v]).cwiseMax(path.to_m[v]);
     }
-    return (low.array() <= box.high.array() + separation_m).all() &&
-           (high.array() >= box.low.array() - separation_m).all();
+    return widened({low, high}, separation_m);
   };
   for (const FacePair& pair : face_pairs_) {
     const FaceFeatures &mine = body_.of(pair.tissue), &others = tool_.of(pair.tool);
     const Box& box = face_boxes_[pair.tool];
     for (const int v : mine.corners)
-      if (v >= 0 && meets({v}, box)) search.vertexOnFace(v, pair.tool);
+      if (v >= 0 && meet(boxOf({v}), box)) search.vertexOnFace(v, pair.tool);
     const Face& face = body_.faces()[pair.tissue];
     for (const int corner : others.corners)
-      if (corner >= 0 && meets({face[0], face[1], face[2]}, {corners_m_[corner], corners_m_[corner]}))
+      if (corner >= 0 && meet(boxOf({face[0], face[1], face[2]}), {corners_m_[corner], corners_m_[corner]}))
         search.faceOnCorner(pair.tissue, corner);
     for (const int e : mine.edges) {
       if (e < 0) continue;
-      const SurfaceEdge& edge = body_.edges()[e];
-      if (!meets({edge.from, edge.to}, box)) continue;
+      const Box edge = boxOf({body_.edges()[e].from, body_.edges()[e].to});
       for (const int of_tool : others.edges)
-        if (of_tool >= 0) search.edgeOnEdge(e, of_tool);
+        if (of_tool >= 0 && meet(edge, edge_boxes_[of_tool])) search.edgeOnEdge(e, of_tool);
     }
   }
 }

@@ -154,14 +154,13 @@ void SweptPairs::findNear(const TissuePath& path, double reach_m, std::vector<Sw
     const Face& face = body_.faces()[pair.tissue];
     const Vec3 &a = at_m[face[0]], &b = at_m[face[1]], &c = at_m[face[2]];
     const Box own{a.cwiseMin(b).cwiseMin(c), a.cwiseMax(b).cwiseMax(c)};
-    if (!((own.low.array() < box.high.array() + reach_m).all() &&
-          (own.high.array() > box.low.array() - reach_m).all()))
-      continue;  // it comes near later
+    if (!meet(widened(own, reach_m), box)) continue;  // it comes near later
     for (const int v : mine.corners) {
       if (v < 0 || !nearer(at_m[v], box.low, box.high, reach_m)) continue;
       search.vertexOnFace(v, pair.tool);
       for (const int e : others.edges)
-        if (e >= 0) search.vertexOnEdge(v, e);
+        if (e >= 0 && nearer(at_m[v], edge_boxes_[e].low, edge_boxes_[e].high, reach_m))
+          search.vertexOnEdge(v, e);
       for (const int corner : others.corners)
         if (corner >= 0) search.vertexOnCorner(v, corner);
     }
@@ -171,9 +170,13 @@ void SweptPairs::findNear(const TissuePath& path, double reach_m, std::vector<Sw
       for (const int e : mine.edges)
         if (e >= 0) search.edgeOnCorner(e, corner);
     }
-    for (const int e : mine.edges)
+    for (const int e : mine.edges) {
+      if (e < 0) continue;
+      const Vec3 &from = at_m[body_.edges()[e].from], &to = at_m[body_.edges()[e].to];
+      const Box edge = widened({from.cwiseMin(to), from.cwiseMax(to)}, reach_m);
       for (const int of_tool : others.edges)
-        if (e >= 0 && of_tool >= 0) search.edgeOnEdge(e, of_tool);
+        if (of_tool >= 0 && meet(edge, edge_boxes_[of_tool])) search.edgeOnEdge(e, of_tool);
+    }
   }
 }
 

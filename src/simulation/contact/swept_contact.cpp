@@ -122,8 +122,9 @@ bool SweptContact::findCrossings(const StepView& step, bool responded) {
     SweptObstacle& obstacle = obstacles_[o];
     const double separation_m = kSeparation * obstacle.margin_m;
     if (responded) {
-      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
-      obstacle.pairs.gather(obstacle.path(), separation_m);
+      findMoved(obstacle);
+      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m, moved_);
+      obstacle.pairs.gather(obstacle.path(), separation_m, moved_);
     }
     found_.clear();
     obstacle.pairs.findCrossings(obstacle.path(), separation_m, found_);
@@ -138,6 +139,16 @@ bool SweptContact::findCrossings(const StepView& step, bool responded) {
     any |= !found_.empty();
   }
   return any;
+}
+
+void SweptContact::findMoved(const SweptObstacle& obstacle) {
+  moved_.clear();
+  const int first = static_cast<int>(obstacle.first_vertex),
+            end = first + static_cast<int>(obstacle.now_m.size());
+  for (const ContactConstraint& contact : constraints_) {
+    if (contact.vertices[0] < first || contact.vertices[0] >= end) continue;
+    for (int j = 0; j < cornersOf(contact.weights); ++j) moved_.push_back(contact.vertices[j] - first);
+  }
 }
 
 // Where two contacts of a vertex face each other and leave less room than both targets, they share it.

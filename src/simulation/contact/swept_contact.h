@@ -74,6 +74,7 @@ class SweptContact {
   void freeTools(const StepView& step);
   void findNear(const StepView& step);
   bool findCrossings(const StepView& step, bool responded);
+  void findMoved(const SweptObstacle& obstacle);
   void shareRoom();
   void add(const StepView& step, const Source& source);
   int indexOf(const Source& source) const;
@@ -105,6 +106,7 @@ class SweptContact {
   std::vector<std::uint8_t> near_contact_;  ///< per vertex, 1: one of those counts at it
   std::vector<int> latest_;  ///< per vertex: the last constraint with it as its first vertex; -1: none
   std::vector<SweptPair> found_;
+  std::vector<int> moved_;  ///< vertices of one body that contacts move; some more than once
 };
 
 }  // namespace fissure

@@ -31,12 +31,28 @@ struct SweptObstacle {
   TissuePath path() const { return {before_m, now_m}; }
   /// `positions_m`: of all bodies, scene frame.
   void setBefore(const Pose& tool_pose, std::span<const Vec3> positions_m) {
-    for (std::size_t v = 0; v < before_m.size(); ++v)
-      before_m[v] = tool_pose.toBody(positions_m[first_vertex + v]);
+    const ToToolFrame to_tool(tool_pose);
+    for (std::size_t v = 0; v < before_m.size(); ++v) before_m[v] = to_tool(positions_m[first_vertex + v]);
   }
   void setNow(const Pose& tool_pose, std::span<const Vec3> positions_m) {
-    for (std::size_t v = 0; v < now_m.size(); ++v) now_m[v] = tool_pose.toBody(positions_m[first_vertex + v]);
+    const ToToolFrame to_tool(tool_pose);
+    for (std::size_t v = 0; v < now_m.size(); ++v) now_m[v] = to_tool(positions_m[first_vertex + v]);
   }
+  /// setNow where only these vertices of the body moved since.
+  void setNow(const Pose& tool_pose, std::span<const Vec3> positions_m, std::span<const int> moved) {
+    const ToToolFrame to_tool(tool_pose);
+    for (const int v : moved) now_m[v] = to_tool(positions_m[first_vertex + v]);
+  }
+
+ private:
+  /// As Pose::toBody, for many points.
+  struct ToToolFrame {
+    explicit ToToolFrame(const Pose& pose)
+        : rotation(pose.orientation.conjugate().toRotationMatrix()), origin_m(pose.position_m) {}
+    Vec3 operator()(const Vec3& point_m) const { return rotation * (point_m - origin_m); }
+    Mat3 rotation;
+    Vec3 origin_m;
+  };
 };
 
 }  // namespace fissure

@@ -50,6 +50,9 @@ class SweptPairs {
   /// Notes the pairs of faces whose boxes come nearer than `reach_m` on the path: both searches below look
   /// among the last ones noted, for no larger distance.
   void gather(const TissuePath& path, double reach_m);
+  /// gather where only the `moved` vertices of the body have another path than at the last one, whose reach
+  /// was no smaller.
+  void gather(const TissuePath& path, double reach_m, std::span<const int> moved);
 
   /// Appends every local minimum below `reach_m` of the distance between tissue and tool at the path's start.
   /// Between edges it is enough that one face of the tissue's edge looks at the tool: contacts then change
@@ -72,16 +75,29 @@ class SweptPairs {
   struct Box {
     Vec3 low, high;
   };
+  static Box widened(const Box& box, double by_m) {
+    return {box.low.array() - by_m, box.high.array() + by_m};
+  }
+  static bool meet(const Box& a, const Box& b) {
+    return (a.low.array() <= b.high.array()).all() && (a.high.array() >= b.low.array()).all();
+  }
 
   SurfaceFeatures tool_, body_;
   bool closed_tool_;
-  std::vector<Vec3> corners_m_;  ///< of the tool
-  FaceTree tree_;                ///< over the tool's faces
-  std::vector<Box> face_boxes_;  ///< of the tool's faces
-  Box all_;                      ///< round the tool
+  std::vector<Vec3> corners_m_;               ///< of the tool
+  FaceTree tree_;                             ///< over the tool's faces
+  std::vector<Box> face_boxes_, edge_boxes_;  ///< of the tool's faces and edges
+  Box all_;                                   ///< round the tool
+  void noteBeyond(const TissuePath& path, double reach_m, std::size_t vertex);
+  bool isBeyond(const Face& face) const;
+  void addCandidate(int face);
+  void collect(const TissuePath& path, double reach_m);
+
   // Of the last gather:
   std::vector<std::uint8_t> beyond_;  ///< per vertex, a bit for each side of the tool's box: it stays beyond
-  std::vector<int> near_faces_;       ///< of the tool, for one face of the tissue
+  std::vector<int> candidates_;       ///< faces of the tissue that may come near the tool's box, ascending
+  std::vector<std::uint8_t> is_candidate_;  ///< per face of the tissue, 1: it is one of them
+  std::vector<int> near_faces_;             ///< of the tool, for one face of the tissue
   std::vector<FacePair> face_pairs_;
 };
 
