@@ -52,7 +52,7 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
   solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
   findNear(step);
   bool crosses = findCrossings(step, false);
-  shareRoom();
+  shareRoom(step);
   clock.lap(times_.search_s);
   for (int round = 0; round == 0 || (crosses && round < settings_.rounds); ++round) {
     if (round > 0) std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
@@ -151,13 +151,15 @@ void SweptContact::findMoved(const SweptObstacle& obstacle) {
   }
 }
 
-// Where two contacts of a vertex face each other and leave less room than both targets, they share it.
-void SweptContact::shareRoom() {
+// Where two contacts of one vertex, edge or face of the tissue face each other and leave less room than both
+// targets, they share it.
+void SweptContact::shareRoom(const StepView& step) {
   for (std::size_t i = 0; i < constraints_.size(); ++i)
     for (int j = sources_[i].earlier; j >= 0; j = sources_[j].earlier) {
       ContactConstraint &one = constraints_[i], &other = constraints_[j];
-      if (one.weights[0] != 1 || other.weights[0] != 1 || one.normal.dot(other.normal) > -0.5) continue;
-      const double room_m = std::max((other.position_m - one.position_m).dot(one.normal), 0.0);
+      if (one.vertices != other.vertices || one.normal.dot(other.normal) > -0.5) continue;
+      const Vec3 between_m = pointOf(other, step.before_m) - pointOf(one, step.before_m);
+      const double room_m = std::max((other.position_m - one.position_m - between_m).dot(one.normal), 0.0);
       if (one.target_m + other.target_m <= room_m) continue;
       one.target_m = std::min(one.target_m, 0.5 * room_m);
       other.target_m = std::min(other.target_m, 0.5 * room_m);

@@ -75,7 +75,7 @@ class SweptContact {
   void findNear(const StepView& step);
   bool findCrossings(const StepView& step, bool responded);
   void findMoved(const SweptObstacle& obstacle);
-  void shareRoom();
+  void shareRoom(const StepView& step);
   void add(const StepView& step, const Source& source);
   int indexOf(const Source& source) const;
   ContactConstraint constraintOf(const StepView& step, const Source& source) const;

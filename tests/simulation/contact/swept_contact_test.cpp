@@ -21,14 +21,19 @@ class Ball {
  public:
   Ball(const std::vector<Vec3>& sizes_m, const std::vector<Vec3>& at_m, SweptContactSettings settings = {},
        const std::vector<int>& fixed = {}) {
-    scene.bodies.push_back({.name = "ball", .rest = makeSphere(0.01, 2)});
+    scene.bodies.push_back({.name = "ball"});
     for (std::size_t t = 0; t < sizes_m.size(); ++t) {
       scene.tools.push_back({.name = "t", .surface = makeBox(sizes_m[t]), .box_size_m = sizes_m[t]});
       tools.push_back({.pose = {.position_m = at_m[t]}});
     }
     settings.margins_m = {kMargin_m};
-    inverse_masses.assign(scene.vertexCount(), 1 / kMass_kg);
+    become(makeSphere(0.01, 2), std::move(settings));
     for (const int v : fixed) inverse_masses[v] = 0;
+  }
+  /// The body is of another shape from the beginning.
+  void become(TriangleMesh rest, SweptContactSettings settings) {
+    scene.bodies[0].rest = std::move(rest);
+    inverse_masses.assign(scene.vertexCount(), 1 / kMass_kg);
     positions_m = scene.bodies[0].rest.vertices_m;
     contact.emplace(scene, std::move(settings));
     patch.resize(scene.vertexCount(), scene.faceCount(), scene.tools.size());
@@ -168,13 +173,32 @@ TEST(FaceWeights, FadeOutBetweenOneMarginAndTwo) {
   }
 }
 
-TEST(OpposingContacts, ShareTheRoomThatIsLeft) {
-  const Vec3 plate_m(0.05, 0.002, 0.05);
-  // A thin spike of the ball, its top vertex, between two plates 0.6 mm apart.
-  Ball ball({plate_m, plate_m}, {Vec3(0.0265, 0.0102, 0.0002), Vec3(-0.0265, 0.0102, 0.0002)});
-  for (const double way_m : {0.0002, 0.0002, 0.0002}) ball.step({Vec3(-way_m, 0, 0), Vec3(way_m, 0, 0)});
-  EXPECT_EQ(ball.contact->truncationCounts().no_room_steps, 0);
+// Two blades come together from 1.6 mm to 0.6 mm, less than both margins, with the edge of a wedge between
+// them.
+TEST(OpposingContacts, OfAnEdgeShareTheRoomThatIsLeft) {
+  const Vec3 blade_m(0.05, 0.001, 0.001);
+  Ball ball({blade_m, blade_m}, {Vec3(0.0258, 0, 0), Vec3(-0.0258, 0, 0)});
+  const TriangleMesh wedge{{{0, 0, -0.03}, {0, 0, 0.03}, {0.002, -0.02, 0}, {-0.002, -0.02, 0}},
+                           {{0, 1, 2}, {1, 0, 3}, {0, 2, 3}, {1, 3, 2}}};
+  ball.become(wedge, {.margins_m = {kMargin_m}});
+  for (int i = 0; i < 5; ++i) ball.step({Vec3(-0.0001, 0, 0), Vec3(0.0001, 0, 0)});
+  for (const int end : {0, 1}) EXPECT_NEAR(ball.positions_m[end].x(), 0, 0.1 * kMargin_m) << "in the middle";
+  EXPECT_GT(ball.outcome.contact_count, 2) << "of both blades";
+  EXPECT_EQ(ball.contact->truncationCounts().steps, 0);
   EXPECT_FALSE(ball.overlaps(0) || ball.overlaps(1));
+}
+
+// Two tools that move as one are one obstacle: what is jammed between them rides with both.
+TEST(Truncation, ToolsThatMoveAsOneLeaveTheRoomTheyHave) {
+  const Vec3 plate_m(0.05, 0.002, 0.05);
+  Ball ball({plate_m, plate_m}, {Vec3(0, 0.0112, 0), Vec3(0, -0.0112, 0)}, {.rounds = 0});
+  const Vec3 way_m(0.001, 0.004, -0.002);
+  for (int i = 0; i < 10; ++i) {
+    ball.step({way_m, way_m});
+    ASSERT_FALSE(ball.overlaps(0) || ball.overlaps(1)) << "step " << i;
+  }
+  EXPECT_GT(ball.contact->truncationCounts().steps, 0);
+  EXPECT_EQ(ball.contact->truncationCounts().no_room_steps, 0);
 }
 
 }  // namespace
