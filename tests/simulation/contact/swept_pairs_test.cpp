@@ -121,6 +121,33 @@ TEST(CrossingPairs, AreFoundWhereSurfacesMeetOnThePath) {
   EXPECT_GT(passed, 20);
 }
 
+// After a few vertices have gone another way, looking again at what moved finds what looking at all does.
+TEST(CrossingPairs, AreTheSameWhenOnlyWhatMovedIsLookedAtAgain) {
+  int found_some = 0, changed = 0;
+  for (unsigned seed = 0; seed < 150; ++seed) {
+    Scene scene(seed);
+    SweptPairs again(scene.tool, scene.body), anew(scene.tool, scene.body);
+    again.gather(scene.path(), kReach_m);
+    std::vector<SweptPair> first, second, expected;
+    again.findCrossings(scene.path(), kSeparation_m, first);
+    const std::vector<int> moved{1, 4, 7, 1};
+    for (const int v : moved) scene.to_m[v] += 0.01 * scene.direction();
+    again.gather(scene.path(), kSeparation_m, moved);
+    again.findCrossings(scene.path(), kSeparation_m, second);
+    anew.gather(scene.path(), kSeparation_m);
+    anew.findCrossings(scene.path(), kSeparation_m, expected);
+    ASSERT_EQ(second.size(), expected.size()) << seed;
+    for (std::size_t i = 0; i < second.size(); ++i) {
+      EXPECT_TRUE(second[i].sameFeatures(expected[i])) << seed;
+      EXPECT_EQ(second[i].time, expected[i].time) << seed;
+    }
+    found_some += second.empty() ? 0 : 1;
+    changed += first.size() != second.size() ? 1 : 0;
+  }
+  EXPECT_GT(found_some, 20);
+  EXPECT_GT(changed, 20);
+}
+
 TEST(CrossingPairs, AreNoneForTissueThatStaysOrLeaves) {
   const SceneTool tool = toolOf(makeBox(Vec3(0.01, 0.002, 0.01)));
   SceneBody body;
