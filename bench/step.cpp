@@ -15,7 +15,7 @@ namespace {
 
 constexpr int kSteps = 200;
 
-/// Steps from time zero to just before the first contact in any of the scenario's pipelines.
+/// Steps from time zero to just before the first contact in any of the scenario's pipelines, on any mesh.
 int stepsBeforeContact(const std::string& scenario) {
   return scenario == "plate_press" ? 33 : 54;
 }
@@ -86,6 +86,15 @@ void addStepCases() {
       addCase("step/" + name + "/" + pipeline.name,
               [=](benchmark::State& out) { return measureSteps(out, scenario, pipeline); });
     }
+  }
+  for (const int subdivisions : {4, 5}) {  // plate_press has 3
+    const Scenario scenario =
+        configuredScenario("plate_press", {{"bodies.sphere.shape.subdivisions", std::to_string(subdivisions)}});
+    const std::string triangles = std::to_string(8 << 2 * subdivisions);
+    for (const PipelineSettings& pipeline : scenario.pipelines)
+      if (pipeline.name == "default_tuned" || pipeline.name == "swept")
+        addCase("step/plate_press_" + triangles + "/" + pipeline.name,
+                [=](benchmark::State& out) { return measureSteps(out, scenario, pipeline); });
   }
 }
 
