@@ -32,9 +32,8 @@ struct WorldSettings {
   bool operator==(const WorldSettings&) const = default;
 };
 
-/// A horizontal half-space under the tissue. With pipeline swept one of its own obstacles: tissue stands on
-/// it, no vertex goes below. Else one analytic contact a vertex, the same in every pipeline, solved by Bullet
-/// with its other contacts (METHOD: facts about Bullet): it holds tissue a margin above, and gives way.
+/// A horizontal half-space under the tissue. Tissue stands on it with pipeline swept, as one of its
+/// obstacles; else Bullet solves one analytic contact a vertex, which holds it a margin above, and gives way.
 struct GroundSettings {
   double height_m = 0.0;
   /// Bullet's default for a rigid body; multiplied by the body's dynamic_friction. With swept the product is
