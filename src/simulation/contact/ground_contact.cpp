@@ -9,10 +9,9 @@ constexpr double kOpposed = -0.5;  ///< cosine between normals of contacts that 
 }
 
 GroundContact::GroundContact(const HalfSpace& ground, double reach_m, std::vector<double> frictions)
-    : ground_(ground), reach_m_(reach_m), frictions_(std::move(frictions)) {}
+    : ground_(ground), reach_m_(reach_m), frictions_(std::move(frictions)), noted_(frictions_.size()) {}
 
 void GroundContact::begin(const StepView& step) {
-  noted_.resize(step.before_m.size());
   for (std::size_t v = 0; v < noted_.size(); ++v)
     noted_[v] =
         std::min(ground_.height_m(step.before_m[v]), ground_.height_m(step.positions_m[v])) < reach_m_;
@@ -37,7 +36,7 @@ void GroundContact::append(std::vector<ContactConstraint>& constraints) const {
                            .normal = ground_.normal,
                            .tool = kGround,
                            .target_m = 0,
-                           .friction = frictions_.empty() ? 0 : ground_.friction * frictions_[v]});
+                           .friction = ground_.friction * frictions_[v]});
   }
 }
 

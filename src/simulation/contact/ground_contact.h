@@ -16,7 +16,7 @@ namespace fissure {
 class GroundContact {
  public:
   /// Vertices that start or end a step lower than `reach_m` get a contact. frictions: one a vertex, of its
-  /// body; empty: frictionless.
+  /// body.
   GroundContact(const HalfSpace& ground, double reach_m, std::vector<double> frictions);
 
   /// Forgets the contacts of the last step, and notes the vertices that are in reach before this one or after

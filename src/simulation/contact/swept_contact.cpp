@@ -74,8 +74,9 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
 
 void SweptContact::addGround(const Scene& scene) {
   std::vector<double> frictions;
-  for (std::size_t b = 0; b < settings_.body_frictions.size(); ++b)
-    frictions.insert(frictions.end(), scene.bodies[b].rest.vertices_m.size(), settings_.body_frictions[b]);
+  for (std::size_t b = 0; b < body_count_; ++b)
+    frictions.insert(frictions.end(), scene.bodies[b].rest.vertices_m.size(),
+                     settings_.body_frictions.empty() ? 0 : settings_.body_frictions.at(b));
   const double margin_m = *std::max_element(settings_.margins_m.begin(), settings_.margins_m.end());
   ground_.emplace(*settings_.ground, kNearMargins * margin_m, std::move(frictions));
 }
