@@ -166,6 +166,9 @@ TEST(Ground, TissueBetweenAToolAndTheGroundIsSqueezed) {
   }
   EXPECT_NEAR(ball.tools[0].pose.position_m.y(), -0.00898, 1e-9);
   EXPECT_EQ(ball.contact->truncationCounts().steps, 0);
+  ball.step(Vec3::Zero());  // at rest in less than a margin tool and ground do not press against each other
+  EXPECT_NEAR(ball.outcome.reaction_on_tool_N.norm(), 0, 1e-6);
+  EXPECT_NEAR(ball.outcome.ground_reaction_N->norm(), 0, 1e-6);
 }
 
 // A tool that goes through the ground leaves no room: then tissue stays above the ground.
