@@ -97,6 +97,11 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
             << plan.pipeline->time_limit_s << " s of wall time)\n";
   if (plan.settling_steps > 0) std::cout << "  settle: " << plan.settling_steps << " steps\n";
   std::cout << "  simulate: " << plan.steps << " steps\n";
+  if (scenario.ground)
+    std::cout << "  ground: "
+              << (plan.pipeline->traits().own_ground ? "an obstacle of the pipeline's own contacts"
+                                                     : "Bullet's contact, which gives way under load")
+              << "\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
   for (const ForceSettings& law : scenario.force)
     std::cout << "  force: " << law.name << " (" << entryOf(law.model).name

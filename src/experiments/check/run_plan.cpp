@@ -27,7 +27,7 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
 /// The checked scene as the pipeline has it.
 Scene sceneFor(const CheckedScenario& checked, const PipelineSettings& pipeline) {
   Scene scene = checked.prepared.scene;
-  if (!pipeline.usesNodes()) dropNodes(scene);
+  adaptTo(pipeline, scene);
   return scene;
 }
 

@@ -54,6 +54,7 @@ struct Scene {
   std::vector<SceneTool> tools;
   std::vector<SceneClamp> clamps;
   std::optional<double> ground_height_m;  ///< tissue is held above y = this height; no value: no ground
+  bool ground_reaction_known = false;     ///< whether states say what the ground bears
 
   int vertexCount() const {
     return bodies.empty()

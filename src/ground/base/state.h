@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/geometry.h"
@@ -69,6 +70,9 @@ struct ContactOutcome {
   Vec3 reaction_on_tool_N = Vec3::Zero();
   /// The same on each tool, where there are several; empty where the engine does not say how they share it.
   std::vector<Vec3> tool_reactions_N;
+  /// The momentum that contacts with the ground took from the tissue in the step, over dt; no value where
+  /// there is no ground or the engine does not say.
+  std::optional<Vec3> ground_reaction_N;
 };
 
 /// Everything one step leaves behind, engine-neutral. Arrays run over all bodies (vertices) or all tools

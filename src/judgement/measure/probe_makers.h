@@ -13,8 +13,8 @@ namespace fissure {
 /// How deep tools are in tissue, and what passed through.
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
-/// How deep tissue stands below the ground at that height.
-std::unique_ptr<Probe> makeGroundProbe(double height_m);
+/// How deep tissue stands below the scene's ground, and what that bears.
+std::unique_ptr<Probe> makeGroundProbe(const Scene& scene);
 
 /// Whether tissue is sound by itself, in a scene without tools.
 std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);

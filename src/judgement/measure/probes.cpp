@@ -17,7 +17,7 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
   } else {
     probes.push_back(makeSoundnessProbe(scene));
   }
-  if (scene.ground_height_m) probes.push_back(makeGroundProbe(*scene.ground_height_m));
+  if (scene.ground_height_m) probes.push_back(makeGroundProbe(scene));
   if (std::any_of(scenario.tools.begin(), scenario.tools.end(),
                   [](const ToolSettings& tool) { return tool.coupling.has_value(); }))
     probes.push_back(makeCouplingProbe(scenario));

@@ -8,14 +8,17 @@
 
 namespace fissure {
 
-/// Something that keeps a point of the tissue in front of a point of a tool: `normal` points from the tool
-/// into the tissue.
+/// ContactConstraint::tool of a contact with the ground, which rests.
+inline constexpr int kGround = -1;
+
+/// Something that keeps a point of the tissue in front of a point of a tool, or of the ground: `normal`
+/// points from there into the tissue.
 struct ContactConstraint {
   Face vertices{};                  ///< of a soft triangle, indices over all bodies
   std::array<double, 3> weights{};  ///< barycentric coordinates of the tissue point, sum 1
   Vec3 position_m;                  ///< of the tool point, scene frame, end of the step
   Vec3 normal;                      ///< unit, scene frame
-  int tool = 0;                     ///< whose point it is
+  int tool = 0;                     ///< whose point it is; kGround: the ground's
   double target_m = 0;  ///< least distance of the tissue point in front of the tool point, along normal
   double friction = 0;  ///< Coulomb's coefficient of tissue on tool; only ContactImpulses rubs
 };

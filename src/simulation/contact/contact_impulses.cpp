@@ -39,24 +39,25 @@ void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
 }
 
 int ContactImpulses::pushing() const {
-  return static_cast<int>(
-      std::count_if(pushes_.begin(), pushes_.end(), [](const Push& push) { return push.kg_m > 0; }));
+  return static_cast<int>(std::count_if(pushes_.begin(), pushes_.end(), [](const Push& push) {
+    return push.kg_m > 0 && push.tool != kGround;
+  }));
 }
 
 Vec3 ContactImpulses::total(std::span<const double> factors) const {
   Vec3 total = Vec3::Zero();
   for (std::size_t i = 0; i < pushes_.size(); ++i) {
+    if (pushes_[i].tool == kGround) continue;
     total += pushes_[i].kg_m * factors[pushes_[i].vertex] * normals_[i];
     total += factors[pushes_[i].vertex] * pushes_[i].friction_kg_m;
   }
   return total;
 }
 
-Vec3 ContactImpulses::ofTool(int tool, std::span<const ContactConstraint> constraints,
-                             std::span<const double> factors) const {
+Vec3 ContactImpulses::ofTool(int tool, std::span<const double> factors) const {
   Vec3 total = Vec3::Zero();
   for (std::size_t i = 0; i < pushes_.size(); ++i) {
-    if (constraints[i].tool != tool) continue;
+    if (pushes_[i].tool != tool) continue;
     total += factors[pushes_[i].vertex] * (pushes_[i].kg_m * normals_[i] + pushes_[i].friction_kg_m);
   }
   return total;
@@ -66,15 +67,18 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses, const StepView& step) {
   pushes_.assign(constraints.size(), {});
   normals_.resize(constraints.size());
+  const Pose rest;  // of the ground
   for (std::size_t i = 0; i < constraints.size(); ++i) {
     const ContactConstraint& contact = constraints[i];
     Push& push = pushes_[i];
     normals_[i] = contact.normal;
     push.vertex = contact.vertices[0];
+    push.tool = contact.tool;
     for (int j = 0; j < 3; ++j)
       push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
-    const Pose& from = step.tools_before[contact.tool].pose;
-    const Pose& to = step.tools_now[contact.tool].pose;
+    const bool of_ground = contact.tool == kGround;
+    const Pose& from = of_ground ? rest : step.tools_before[contact.tool].pose;
+    const Pose& to = of_ground ? rest : step.tools_now[contact.tool].pose;
     const Vec3 was_at_m = from.toScene(to.toBody(contact.position_m));
     const Vec3 normal_was = from.rotateToScene(to.rotateToBody(contact.normal));
     push.tool_way_m = (contact.position_m - was_at_m).dot(contact.normal);

@@ -32,20 +32,20 @@ class ContactImpulses {
   std::span<Vec3> motion_m() { return motion_m_; }
   /// The way of each vertex in the step before its contacts.
   std::span<const Vec3> way_m() const { return way_m_; }
-  /// How many contacts push.
+  /// How many contacts with tools push.
   int pushing() const;
-  /// Impulse of all contacts on the tissue, times the time step: kg m; each contact's times the factor of its
-  /// first vertex.
+  /// Impulse of all contacts with tools on the tissue, times the time step: kg m; each contact's times the
+  /// factor of its first vertex.
   Vec3 total(std::span<const double> factors) const;
-  /// The same of one tool's contacts. `constraints`: those of the last apply.
-  Vec3 ofTool(int tool, std::span<const ContactConstraint> constraints,
-              std::span<const double> factors) const;
+  /// The same of one tool's contacts, or with kGround of the ground's.
+  Vec3 ofTool(int tool, std::span<const double> factors) const;
 
   const DisplacementCounts& counts() const { return counts_; }
 
  private:
   struct Push {
     int vertex = 0;            ///< the first of its triangle
+    int tool = 0;              ///< or kGround
     double mobility = 0;       ///< of the tissue point along the normal, 1/kg
     double kg_m = 0;           ///< impulse so far times the time step, never negative
     double tool_way_m = 0;     ///< of the tool point in the step, along the normal

@@ -68,8 +68,7 @@ void NodeContact::shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N
   const std::size_t tools = put_inside_.size();
   tool_reactions_N.resize(impulses_ && tools > 1 ? tools : 0);
   for (std::size_t t = 0; t < tool_reactions_N.size(); ++t)
-    tool_reactions_N[t] =
-        -impulses_->ofTool(static_cast<int>(t), constraints_, force_factors_) / (dt_s * dt_s);
+    tool_reactions_N[t] = -impulses_->ofTool(static_cast<int>(t), force_factors_) / (dt_s * dt_s);
 }
 
 void NodeContact::detect(const StepView& step, StageClock& clock) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "contact/contact_constraint.h"
+
 namespace fissure {
 
 namespace {
@@ -23,7 +25,8 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
   bool stopped_more = true;
   for (int pass = 0; stopped_more; ++pass) {
     only_ride_ = pass >= kShortenings;
-    stopped_more = left_overlap_ = false;
+    left_overlap_ = false;
+    stopped_more = ground_ && putOnGround(step.positions_m, inverse_masses);
     for (std::size_t o = 0; o < obstacles.size(); ++o) {
       SweptObstacle& obstacle = obstacles[o];
       obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
@@ -38,6 +41,12 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
   }
   for (std::size_t v = 0; v < stopped_by_.size(); ++v) {
     if (stopped_by_[v] == kNone) continue;
+    if (stopped_by_[v] == kByGround) {
+      const double into_m = std::min((way_m[v] + motion_m[v]).dot(ground_->normal), 0.0);
+      motion_m[v] -= into_m * ground_->normal;
+      stopped_.push_back({static_cast<int>(v), kGround, -into_m / inverse_masses[v] * ground_->normal});
+      continue;
+    }
     const SweptObstacle& obstacle = obstacles[stopped_by_[v]];
     const Vec3& at_m = obstacle.before_m[v - obstacle.first_vertex];
     const Vec3 tool_way_m = step.tools_now[obstacle.tool].pose.toScene(at_m) -
@@ -49,6 +58,19 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
   counts_.vertices += static_cast<long long>(stopped_.size());
   counts_.steps += stopped_.empty() ? 0 : 1;
   counts_.no_room_steps += left_overlap_ ? 1 : 0;
+}
+
+// Whether a vertex was moved. In the end, the ground comes before every tool.
+bool PathTruncation::putOnGround(std::span<Vec3> positions_m, std::span<const double> inverse_masses) {
+  bool moved = false;
+  for (std::size_t v = 0; v < positions_m.size(); ++v) {
+    if (inverse_masses[v] == 0 || !ground_->holdsInside(positions_m[v])) continue;
+    positions_m[v] -= ground_->height_m(positions_m[v]) * ground_->normal;
+    stopped_by_[v] = kByGround;
+    rides_[v] = only_ride_ ? 1 : 0;
+    moved = true;
+  }
+  return moved;
 }
 
 // Whether a vertex of the pair was moved. While paths are shortened any obstacle may; then each vertex is
@@ -70,10 +92,17 @@ bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptP
   return moved;
 }
 
-Vec3 PathTruncation::impulse(int tool, std::span<const double> factors) const {
+Vec3 PathTruncation::total(std::span<const double> factors) const {
   Vec3 sum_kg_m = Vec3::Zero();
   for (const Stopped& stopped : stopped_)
-    if (tool < 0 || stopped.tool == tool) sum_kg_m += factors[stopped.vertex] * stopped.impulse_kg_m;
+    if (stopped.tool != kGround) sum_kg_m += factors[stopped.vertex] * stopped.impulse_kg_m;
+  return sum_kg_m;
+}
+
+Vec3 PathTruncation::ofTool(int tool, std::span<const double> factors) const {
+  Vec3 sum_kg_m = Vec3::Zero();
+  for (const Stopped& stopped : stopped_)
+    if (stopped.tool == tool) sum_kg_m += factors[stopped.vertex] * stopped.impulse_kg_m;
   return sum_kg_m;
 }
 

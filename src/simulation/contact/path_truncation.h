@@ -1,8 +1,10 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "contact/half_space.h"
 #include "contact/step_view.h"
 #include "contact/swept_obstacle.h"
 
@@ -17,22 +19,27 @@ struct TruncationCounts {
 
 /// The last resort of swept contact (METHOD section 9): tissue that still crosses a tool after all rounds is
 /// stopped on its path before that, at worst where it was when the step began in the tool's frame: it then
-/// rides with the tool. Every pass stops more, and looks at all tools again. Where tools leave no room, the
-/// first in the scenario's order stays free of tissue, fixed vertices never move, and the step counts as one
-/// without room.
+/// rides with the tool. What ends below the ground is put on it. Every pass stops more, and looks at the
+/// ground and all tools again. Where there is no room, fixed vertices never move, what else is tissue stays
+/// above the ground, and the first tool in the scenario's order stays free of it; the step counts as one
+/// without room where tissue may then overlap a tool.
 class PathTruncation {
  public:
-  explicit PathTruncation(int vertex_count) : stopped_by_(vertex_count, kNone), rides_(vertex_count) {}
+  PathTruncation(int vertex_count, const std::optional<HalfSpace>& ground)
+      : ground_(ground), stopped_by_(vertex_count, kNone), rides_(vertex_count) {}
 
   /// Moves the step's positions_m until nothing crosses. A stopped vertex takes the tool's velocity: its
   /// share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the tool's way less the vertex's
-  /// own, `way_m`, before its contacts. inverse_masses: one a vertex in 1/kg, 0: fixed.
+  /// own, `way_m`, before its contacts. One put on the ground loses what of its velocity leads into it.
+  /// inverse_masses: one a vertex in 1/kg, 0: fixed.
   void apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses, const StepView& step,
              std::span<const Vec3> way_m, std::span<Vec3> motion_m);
 
-  /// Of the last apply, times the time step: the impulse that stopping gave the tissue, each vertex's times
-  /// its factor; of one tool, or with `tool` -1 of all. kg m.
-  Vec3 impulse(int tool, std::span<const double> factors) const;
+  /// Of the last apply, times the time step: the impulse that stopping at tools gave the tissue, each
+  /// vertex's times its factor. kg m.
+  Vec3 total(std::span<const double> factors) const;
+  /// The same of one tool, or with kGround of the ground.
+  Vec3 ofTool(int tool, std::span<const double> factors) const;
   void clear();
 
   /// Whether the last apply left tissue that may overlap a tool.
@@ -40,18 +47,20 @@ class PathTruncation {
   const TruncationCounts& counts() const { return counts_; }
 
  private:
-  static constexpr int kNone = -1;
+  static constexpr int kNone = -2, kByGround = -1;  ///< of stopped_by_
   struct Stopped {
-    int vertex = 0, tool = 0;
+    int vertex = 0, tool = 0;  ///< or kGround
     Vec3 impulse_kg_m;
   };
 
+  bool putOnGround(std::span<Vec3> positions_m, std::span<const double> inverse_masses);
   bool stop(const SweptObstacle& obstacle, int index, const SweptPair& pair, const StepView& step,
             std::span<const double> inverse_masses);
 
   TruncationCounts counts_;
-  std::vector<int> stopped_by_;      ///< per vertex: index of the last obstacle that stopped it
-  std::vector<std::uint8_t> rides_;  ///< per vertex, 1: it is where it was, in that obstacle's frame
+  std::optional<HalfSpace> ground_;
+  std::vector<int> stopped_by_;      ///< per vertex: index of the last obstacle that stopped it, or kByGround
+  std::vector<std::uint8_t> rides_;  ///< per vertex, 1: what stopped it keeps it where it put it
   std::vector<SweptPair> crossings_;
   std::vector<Stopped> stopped_;
   bool only_ride_ = false;  ///< paths were shortened often enough

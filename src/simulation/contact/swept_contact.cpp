@@ -25,7 +25,7 @@ SweptContact::SweptContact(const Scene& scene, SweptContactSettings settings)
       tool_count_(scene.tools.size()),
       face_count_(scene.faceCount()),
       impulses_(scene.vertexCount(), settings_.sweeps),
-      truncation_(scene.vertexCount()),
+      truncation_(scene.vertexCount(), settings_.ground),
       beside_m_(scene.tools.size(), Vec3::Zero()),
       latest_(scene.vertexCount(), -1) {
   for (std::size_t b = 0; b < body_count_; ++b) {
@@ -35,6 +35,7 @@ SweptContact::SweptContact(const Scene& scene, SweptContactSettings settings)
     if (!settings_.tool_frictions.empty())
       frictions_.insert(frictions_.end(), vertices, settings_.body_frictions.at(b));
   }
+  if (settings_.ground) addGround(scene);
   for (std::size_t t = 0; t < tool_count_; ++t)
     for (std::size_t b = 0; b < body_count_; ++b)
       obstacles_.emplace_back(scene, t, b, settings_.margins_m.at(b));
@@ -51,17 +52,16 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
                       .dt_s = given.dt_s};
   solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
   findNear(step);
-  bool crosses = findCrossings(step, false);
+  findCrossings(step, false);
   shareRoom(step);
   clock.lap(times_.search_s);
+  bool crosses = true;
   for (int round = 0; round == 0 || (crosses && round < settings_.rounds); ++round) {
     if (round > 0) std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
-    impulses_.apply(settings_.rounds > 0 ? std::span<const ContactConstraint>(constraints_)
-                                         : std::span<const ContactConstraint>(),
-                    inverse_masses, step);
-    ++rounds_;
+    respond(step, inverse_masses);
     clock.lap(times_.displacement_s);
     crosses = findCrossings(step, true);
+    if (ground_) crosses |= ground_->findBelow(step.positions_m, inverse_masses);
     clock.lap(times_.search_s);
   }
   truncation_.clear();
@@ -70,6 +70,28 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
   clock.lap(times_.truncation_s);
   report(step, outcome, patch);
   clock.lap(times_.report_s);
+}
+
+void SweptContact::addGround(const Scene& scene) {
+  std::vector<double> frictions;
+  for (std::size_t b = 0; b < body_count_; ++b)
+    frictions.insert(frictions.end(), scene.bodies[b].rest.vertices_m.size(),
+                     settings_.body_frictions.empty() ? 0 : settings_.body_frictions.at(b));
+  const double margin_m = *std::max_element(settings_.margins_m.begin(), settings_.margins_m.end());
+  ground_.emplace(*settings_.ground, kNearMargins * margin_m, std::move(frictions));
+}
+
+void SweptContact::respond(const StepView& step, std::span<const double> inverse_masses) {
+  if (ground_) ground_->append(constraints_);
+  impulses_.apply(settings_.rounds > 0 ? std::span<const ContactConstraint>(constraints_)
+                                       : std::span<const ContactConstraint>(),
+                  inverse_masses, step);
+  responders_.clear();
+  for (const ContactConstraint& contact : constraints_)
+    responders_.insert(responders_.end(), contact.vertices.begin(),
+                       contact.vertices.begin() + cornersOf(contact.weights));
+  constraints_.resize(sources_.size());
+  ++rounds_;
 }
 
 void SweptContact::placeTools(const StepView& step) {
@@ -113,6 +135,7 @@ void SweptContact::findNear(const StepView& step) {
     for (const SweptPair& pair : found_) add(step, {static_cast<int>(o), pair});
   }
   near_count_ = constraints_.size();
+  if (ground_) ground_->begin(step);
 }
 
 // Before the first response a pair that is near already stays as it is; after one it is renewed.
@@ -142,13 +165,11 @@ bool SweptContact::findCrossings(const StepView& step, bool responded) {
 }
 
 void SweptContact::findMoved(const SweptObstacle& obstacle) {
+  const int first = static_cast<int>(obstacle.first_vertex);
+  const int end = first + static_cast<int>(obstacle.now_m.size());
   moved_.clear();
-  const int first = static_cast<int>(obstacle.first_vertex),
-            end = first + static_cast<int>(obstacle.now_m.size());
-  for (const ContactConstraint& contact : constraints_) {
-    if (contact.vertices[0] < first || contact.vertices[0] >= end) continue;
-    for (int j = 0; j < cornersOf(contact.weights); ++j) moved_.push_back(contact.vertices[j] - first);
-  }
+  for (const int vertex : responders_)
+    if (vertex >= first && vertex < end) moved_.push_back(vertex - first);
 }
 
 // Where two contacts of one vertex, edge or face of the tissue face each other and leave less room than both
@@ -195,20 +216,24 @@ ContactConstraint SweptContact::constraintOf(const StepView& step, const Source&
   contact.target_m = obstacle.margin_m;
   if (!frictions_.empty())
     contact.friction = frictions_[contact.vertices[0]] * settings_.tool_frictions[contact.tool];
+  if (ground_) ground_->makeRoomUnder(contact);
   return contact;
 }
 
 void SweptContact::report(const StepView& step, ContactOutcome& outcome, ContactPatch& patch) {
   const double dt_squared = step.dt_s * step.dt_s;
   outcome.reaction_on_tool_N =
-      -(impulses_.total(force_factors_) + truncation_.impulse(-1, force_factors_)) / dt_squared;
+      -(impulses_.total(force_factors_) + truncation_.total(force_factors_)) / dt_squared;
   outcome.tool_reactions_N.resize(tool_count_ > 1 ? tool_count_ : 0);
   for (std::size_t t = 0; t < outcome.tool_reactions_N.size(); ++t) {
     const int tool = static_cast<int>(t);
     outcome.tool_reactions_N[t] =
-        -(impulses_.ofTool(tool, constraints_, force_factors_) + truncation_.impulse(tool, force_factors_)) /
-        dt_squared;
+        -(impulses_.ofTool(tool, force_factors_) + truncation_.ofTool(tool, force_factors_)) / dt_squared;
   }
+  if (ground_)
+    outcome.ground_reaction_N =
+        -(impulses_.ofTool(kGround, force_factors_) + truncation_.ofTool(kGround, force_factors_)) /
+        dt_squared;
   outcome.candidate_count = static_cast<int>(constraints_.size());
   outcome.contact_count = impulses_.pushing();
   outcome.infeasible_count = outcome.capped_count = 0;

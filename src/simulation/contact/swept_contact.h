@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "base/state.h"
 #include "contact/contact_impulses.h"
 #include "contact/contact_patch.h"
+#include "contact/ground_contact.h"
 #include "contact/path_truncation.h"
 #include "contact/step_view.h"
 #include "contact/swept_obstacle.h"
@@ -23,6 +25,7 @@ struct SweptContactSettings {
   /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's; empty:
   /// frictionless.
   std::vector<double> body_frictions, tool_frictions;
+  std::optional<HalfSpace> ground;  ///< no value: none of this method's
 };
 
 /// Wall time of SweptContact's steps so far, seconds.
@@ -36,13 +39,14 @@ struct SweptTimes {
 /// Contact of all of the tools' surface with all of the tissue's (METHOD section 9): pairs that are near when
 /// the step begins, and pairs that cross on the path of the step, are held apart by impulses; the result is
 /// searched for crossings again, and what still crosses after the last round is stopped on its path. No step
-/// ends with tissue in a tool but where tools leave no room for it. Tissue against itself and against other
-/// tissue is not covered. One object belongs to one run.
+/// ends with tissue in a tool but where there is no room for it. The ground is one more such obstacle, with
+/// contacts of its own among those of the tools, and no step ends with tissue below it but with fixed
+/// vertices. Tissue against itself and against other tissue is not covered. One object belongs to one run.
 ///
 /// The force of a triangle counts in full where a contact holds it, and fades out as contacts are farther
 /// from the tool than a margin: at two margins none counts. So triangles come and go without jumps. Pairs
 /// that cross count only at vertices where none was near: they hang on what the engine's solve predicts, and
-/// come and go with it.
+/// come and go with it. Contacts with the ground are no colliding state.
 ///
 /// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
 /// beside it and comes back, max_displacement_m a step.
@@ -70,12 +74,14 @@ class SweptContact {
     int earlier = -1;  ///< the constraint before it with the same first vertex
   };
 
+  void addGround(const Scene& scene);
   void placeTools(const StepView& step);
   void freeTools(const StepView& step);
   void findNear(const StepView& step);
   bool findCrossings(const StepView& step, bool responded);
   void findMoved(const SweptObstacle& obstacle);
   void shareRoom(const StepView& step);
+  void respond(const StepView& step, std::span<const double> inverse_masses);
   void add(const StepView& step, const Source& source);
   int indexOf(const Source& source) const;
   ContactConstraint constraintOf(const StepView& step, const Source& source) const;
@@ -87,6 +93,7 @@ class SweptContact {
   std::size_t body_count_, tool_count_;
   int face_count_;
   std::vector<SweptObstacle> obstacles_;  ///< tool by tool, body by body
+  std::optional<GroundContact> ground_;
   ContactImpulses impulses_;
   PathTruncation truncation_;
   std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
@@ -99,14 +106,15 @@ class SweptContact {
   /// Tools as contacts take them: where the path of the step begins, and, `beside` alike at both ends, when
   /// the step began and now.
   std::vector<ToolState> path_from_, tools_before_, tools_now_;
-  std::vector<Vec3> solved_m_;  ///< positions before the contacts
-  std::vector<ContactConstraint> constraints_;
-  std::vector<Source> sources_;  ///< one a constraint
-  std::size_t near_count_ = 0;   ///< how many of them, the first ones, were near when the step began
+  std::vector<Vec3> solved_m_;                  ///< positions before the contacts
+  std::vector<ContactConstraint> constraints_;  ///< of tools; in a response those of the ground follow
+  std::vector<Source> sources_;                 ///< one a constraint of a tool
+  std::size_t near_count_ = 0;  ///< how many of them, the first ones, were near when the step began
   std::vector<std::uint8_t> near_contact_;  ///< per vertex, 1: one of those counts at it
   std::vector<int> latest_;  ///< per vertex: the last constraint with it as its first vertex; -1: none
   std::vector<SweptPair> found_;
-  std::vector<int> moved_;  ///< vertices of one body that contacts move; some more than once
+  std::vector<int> responders_;  ///< vertices of contacts in the last response, some more than once
+  std::vector<int> moved_;       ///< those of one body, indices in it
 };
 
 }  // namespace fissure

@@ -33,7 +33,7 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
 
  private:
   double step_s_;
-  Ground* ground_;  ///< null: no ground
+  Ground* ground_;  ///< null: no ground of Bullet's
   std::function<void()> before_solve_;
   std::function<void()> after_solve_;
 };
@@ -52,8 +52,8 @@ class TimedWorld : public btSoftRigidDynamicsWorld {
   std::function<void()> after_detection_;
 };
 
-/// The soft bodies and the ground of a scenario in a Bullet world. Pipelines add their tools and stages to
-/// it.
+/// The soft bodies of a scenario in a Bullet world, and its ground but where a pipeline has contacts of its
+/// own with that. Pipelines add their tools and stages to it.
 class BulletWorld {
  public:
   /// `configuration` null: Bullet's own collision detection for soft bodies.

@@ -9,9 +9,9 @@
 
 namespace fissure {
 
-/// The analytic half-space under the tissue, the same in every pipeline: before each solve, every vertex
-/// closer to the ground than the body's margin gets one of Bullet's own soft-rigid contacts against a static
-/// body (METHOD: facts about Bullet).
+/// The analytic half-space under the tissue, the same in every pipeline that leaves the ground to Bullet:
+/// before each solve, every vertex closer to the ground than the body's margin gets one of Bullet's own
+/// soft-rigid contacts against a static body (METHOD: facts about Bullet).
 class Ground {
  public:
   explicit Ground(const GroundSettings& settings);

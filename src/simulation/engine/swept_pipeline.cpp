@@ -12,12 +12,15 @@ SweptContactSettings sweptSettings(const PipelineContext& context) {
                                 .margins_m = {},
                                 .time_scales = {},
                                 .body_frictions = {},
-                                .tool_frictions = {}};
+                                .tool_frictions = {},
+                                .ground = {}};
   fillBodies(context.scenario, settings);
+  if (const std::optional<GroundSettings>& ground = context.scenario.ground)
+    settings.ground = HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
   return settings;
 }
 
-/// Swept contact (METHOD section 9).
+/// Swept contact (METHOD section 9), with the ground as one more obstacle.
 class SweptPipeline : public AfterSolvePipeline<SweptContact> {
  public:
   explicit SweptPipeline(const PipelineContext& context)

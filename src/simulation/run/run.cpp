@@ -74,7 +74,7 @@ FrameMeasures depthsIn(const RecordLayout& layout, const RecordRow& row) {
 
 Run::Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedScenario prepared)
     : scenario_(scenario), engine_scenario_(scenario), pipeline_(pipeline), prepared_(std::move(prepared)) {
-  if (!pipeline.usesNodes()) dropNodes(prepared_.scene);
+  adaptTo(pipeline, prepared_.scene);
   engine_scenario_.tools = rigidTools(scenario.tools);
   const double duration_s = scenario.time.duration_s.value_or(prepared_.longestMotion_s());
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));

@@ -54,6 +54,8 @@ struct PipelineTraits {
   /// What a run of the scenario does where it says nothing else; for detection by nodes only.
   bool vertex_contacts = false;
   ContactResponse response = ContactResponse::none;
+  /// Whether the ground is an obstacle of the method's own contacts; else it is one of Bullet's.
+  bool own_ground = false;
   /// What settings "stock" and "tuned" mean for this pipeline.
   BulletTuning stock = stock_tuning;
   BulletTuning tuned = fine_tuning;
@@ -97,11 +99,12 @@ inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
     {.kind = PipelineKind::swept,
      .name = "swept",
      .description =
-         "to use where no tool may enter tissue: all of its surface against all of the tissue's, on the "
-         "path of the step; not tissue on tissue",
+         "to use where no tool may enter tissue, nor tissue the ground: all of its surface against all of "
+         "the tissue's, on the path of the step; not tissue on tissue",
      .detection = ContactDetection::surface,
      .need = ToolNeed::surface,
-     .response = ContactResponse::momentum},
+     .response = ContactResponse::momentum,
+     .own_ground = true},
     {.kind = PipelineKind::prescribed,
      .name = "prescribed",
      .description =

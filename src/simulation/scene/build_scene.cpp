@@ -98,7 +98,9 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
   return buildScene(scenario, with_nodes, SurfaceFiles(scenario.directory));
 }
 
-void dropNodes(Scene& scene) {
+void adaptTo(const PipelineSettings& pipeline, Scene& scene) {
+  scene.ground_reaction_known = scene.ground_height_m && pipeline.traits().own_ground;
+  if (pipeline.usesNodes()) return;
   for (SceneTool& tool : scene.tools) {
     tool.nodes = {};
     tool.first_node = 0;

@@ -15,7 +15,7 @@ Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& 
 /// The same for a scenario none of whose files has been read yet.
 Scene buildScene(const Scenario& scenario, bool with_nodes);
 
-/// The scene as it had been built without nodes.
-void dropNodes(Scene& scene);
+/// Makes of a scene built with nodes that of one pipeline: nodes stay where it uses them.
+void adaptTo(const PipelineSettings& pipeline, Scene& scene);
 
 }  // namespace fissure

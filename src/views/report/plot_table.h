@@ -25,13 +25,13 @@ struct PlotQuantity {
   bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
 };
 
-inline constexpr std::array<PlotQuantity, 26> plot_quantities = {{
+inline constexpr std::array<PlotQuantity, 27> plot_quantities = {{
     {"penetration_depth", "Penetration", "Penetration depth", PlotScale::length,
      "deepest tool sample in tissue, or tissue vertex in a tool"},
     {"inversion_aware_depth", "Penetration", "Depth with inverted tissue", PlotScale::length,
      "the shortest way out of all that the tissue fills, folds and what is inside out included"},
     {"ground_depth", "Penetration", "Tissue below the ground", PlotScale::length,
-     "its lowest vertex: the engine's ground gives way under load"},
+     "its lowest vertex: Bullet's ground gives way under load"},
     {"stand_off", "Penetration", "Distance between tool and tissue", PlotScale::length,
      "while nothing penetrates, up to 10 mm"},
     {"passed_through", "Penetration", "Passed through", PlotScale::plain,
@@ -50,6 +50,8 @@ inline constexpr std::array<PlotQuantity, 26> plot_quantities = {{
      "response: none"},
     {"tool_force", "Force", "Force on {}", PlotScale::prefixed, "length", "tool", "law", true},
     {"tool_reaction", "Force", "Reaction on {}", PlotScale::prefixed, "length", "tool", "", true},
+    {"ground_reaction", "Force", "Reaction on the ground", PlotScale::prefixed,
+     "of pipelines that hold tissue on it themselves: weight, and what the tools press through"},
     {"jaw_opening", "Clamps", "Opening of {}", PlotScale::length, "", "clamp"},
     {"jaw_angle", "Clamps", "Opening of {}", PlotScale::plain, "", "clamp"},
     {"clamp_force", "Clamps", "Force on both jaws of {}", PlotScale::prefixed, "length of the sum", "clamp",

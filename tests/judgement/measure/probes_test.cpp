@@ -250,6 +250,28 @@ TEST_F(ProbesTest, GroundDepthIsThatOfTheLowestVertex) {
   EXPECT_TRUE(std::isnan(value("ground_depth")) && std::isnan(real("max_ground_depth_m")));
 }
 
+TEST_F(ProbesTest, TheGroundsReactionIsKeptWhereStatesSayIt) {
+  scene_.ground_height_m = -0.06;
+  scene_.ground_reaction_known = true;
+  start();
+  step();  // the initial state: nothing has pushed yet
+  EXPECT_EQ(value("ground_reaction"), 0);
+  state_.contact.ground_reaction_N = Vec3(-3, -4, 0);
+  step();
+  EXPECT_EQ(value("ground_reaction"), -3);
+  state_.contact.ground_reaction_N = Vec3(0, -1, 0);
+  step();
+  EXPECT_EQ(real("max_ground_reaction_N"), 5);
+}
+
+TEST_F(ProbesTest, AnEnginesGroundSaysNoReaction) {
+  scene_.ground_height_m = -0.06;
+  start();
+  step();
+  EXPECT_EQ(layout_.find("ground_reaction"), nullptr);
+  EXPECT_EQ(scalar("max_ground_reaction_N").name, "absent");
+}
+
 TEST_F(ProbesTest, WithoutGroundThereIsNoGroundDepth) {
   start();
   EXPECT_EQ(layout_.find("ground_depth"), nullptr);

@@ -241,18 +241,27 @@ TEST(Simulation, StockAndTunedDiffer) {
   EXPECT_NE(stock.positions_m, tuned.positions_m);
 }
 
-// Without tools all pipelines are the same world: they differ in the tool's contact and in nothing else.
+// Without tools all pipelines are the same world: they differ in the tool's contact, in whose the ground is,
+// and in nothing else.
 TEST(Simulation, WithoutContactAllPipelinesAgreeBitForBit) {
-  std::vector<Vec3> reference;
+  std::vector<Vec3> reference, on_ground, on_own_ground;
   for (const PipelineTraits& pipeline : pipeline_table) {
-    Scenario scenario = press();
     const PipelineSettings entry{.name = "p", .pipeline = pipeline.kind};
-    const Scene scene = sceneOf(scenario, entry.usesNodes());
-    auto simulation = makeSimulation(scenario, entry, scene, {at(0.2)});
-    for (int i = 0; i < 100; ++i) simulation->step({at(0.2)});
-    if (reference.empty()) reference = simulation->state().positions_m;
-    EXPECT_EQ(simulation->state().positions_m, reference) << pipeline.name;
+    for (const bool with_ground : {false, true}) {
+      Scenario scenario = press();
+      if (!with_ground) scenario.ground.reset();
+      const Scene scene = sceneOf(scenario, entry.usesNodes());
+      auto simulation = makeSimulation(scenario, entry, scene, {at(0.2)});
+      for (int i = 0; i < 100; ++i) simulation->step({at(0.2)});
+      std::vector<Vec3>& expected = !with_ground          ? reference
+                                    : pipeline.own_ground ? on_own_ground
+                                                          : on_ground;
+      if (expected.empty()) expected = simulation->state().positions_m;
+      EXPECT_EQ(simulation->state().positions_m, expected) << pipeline.name;
+    }
   }
+  EXPECT_NE(on_ground, on_own_ground);
+  EXPECT_NE(on_ground, reference);
 }
 
 // A box 10 mm thick lies in the sphere from the start, one face exactly in a ring of its vertices. The nodes

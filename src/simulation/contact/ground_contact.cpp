@@ -1,0 +1,49 @@
+#include "contact/ground_contact.h"
+
+#include <algorithm>
+
+namespace fissure {
+
+namespace {
+constexpr double kOpposed = -0.5;  ///< cosine between normals of contacts that press against each other
+}
+
+GroundContact::GroundContact(const HalfSpace& ground, double reach_m, std::vector<double> frictions)
+    : ground_(ground), reach_m_(reach_m), frictions_(std::move(frictions)), noted_(frictions_.size()) {}
+
+void GroundContact::begin(const StepView& step) {
+  for (std::size_t v = 0; v < noted_.size(); ++v)
+    noted_[v] =
+        std::min(ground_.height_m(step.before_m[v]), ground_.height_m(step.positions_m[v])) < reach_m_;
+}
+
+bool GroundContact::findBelow(std::span<const Vec3> positions_m, std::span<const double> inverse_masses) {
+  bool any = false;
+  for (std::size_t v = 0; v < noted_.size(); ++v) {
+    if (ground_.height_m(positions_m[v]) < reach_m_) noted_[v] = 1;
+    any |= inverse_masses[v] > 0 && ground_.holdsInside(positions_m[v]);
+  }
+  return any;
+}
+
+void GroundContact::append(std::vector<ContactConstraint>& constraints) const {
+  for (std::size_t v = 0; v < noted_.size(); ++v) {
+    if (!noted_[v]) continue;
+    const int vertex = static_cast<int>(v);
+    constraints.push_back({.vertices = {vertex, vertex, vertex},
+                           .weights = {1, 0, 0},
+                           .position_m = ground_.point_m,
+                           .normal = ground_.normal,
+                           .tool = kGround,
+                           .target_m = 0,
+                           .friction = ground_.friction * frictions_[v]});
+  }
+}
+
+void GroundContact::makeRoomUnder(ContactConstraint& of_tool) const {
+  if (of_tool.normal.dot(ground_.normal) > kOpposed) return;
+  const double room_m = std::max(ground_.height_m(of_tool.position_m), 0.0);
+  if (of_tool.target_m > room_m) of_tool.target_m = 0.5 * room_m;
+}
+
+}  // namespace fissure
