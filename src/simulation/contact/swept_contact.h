@@ -34,15 +34,19 @@ struct SweptTimes {
 };
 
 /// Contact of all of the tools' surface with all of the tissue's (METHOD section 9): pairs that are near when
-/// the step begins, and pairs that cross on the path of the step, are held apart by impulses; the result is
-/// searched for crossings again, and what still crosses after the last round is stopped on its path. No step
-/// ends with tissue in a tool but where tools leave no room for it. Tissue against itself and against other
-/// tissue is not covered. One object belongs to one run.
+/// the step begins are held apart by impulses; the result is searched for pairs that cross on the path of the
+/// step, and these are held apart too, from the engine's solve again. What still crosses after the last round
+/// is stopped on its path. No step ends with tissue in a tool but where tools leave no room for it. Tissue
+/// against itself and against other tissue is not covered. One object belongs to one run.
+///
+/// What would cross without any contact is not looked for where some are near: in one step the tissue's own
+/// stiffness would take it a millimetre into a tool that holds it, and which pairs it crosses there, with
+/// which normals, changes from step to step.
 ///
 /// The force of a triangle counts in full where a contact holds it, and fades out as contacts are farther
-/// from the tool than a margin: at two margins none counts. So triangles come and go without jumps. Pairs
-/// that cross count only at vertices where none was near: they hang on what the engine's solve predicts, and
-/// come and go with it.
+/// from the tool than a margin: at three margins none counts. Contacts at a vertex count in full for its
+/// triangles, others in proportion to their barycentric coordinates. So triangles come and go without jumps.
+/// Pairs that cross count only at vertices where none was near.
 ///
 /// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
 /// beside it and comes back, max_displacement_m a step.
@@ -73,7 +77,7 @@ class SweptContact {
   void placeTools(const StepView& step);
   void freeTools(const StepView& step);
   void findNear(const StepView& step);
-  bool findCrossings(const StepView& step, bool responded);
+  bool findCrossings(const StepView& step);
   void shareRoom();
   void add(const StepView& step, const Source& source);
   int indexOf(const Source& source) const;
