@@ -52,10 +52,9 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
   solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
   findNear(step);
   clock.lap(times_.search_s);
-  bool crosses = false;
-  const int first = constraints_.empty() ? -1 : 0;  // without contacts it is no response
-  for (int round = first; round == first || (crosses && round < settings_.rounds); ++round) {
-    if (round > first) std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
+  bool crosses = true;
+  for (int round = 0; crosses && round <= settings_.rounds; ++round) {
+    if (round > 0) std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
     shareRoom();
     impulses_.apply(settings_.rounds > 0 ? std::span<const ContactConstraint>(constraints_)
                                          : std::span<const ContactConstraint>(),

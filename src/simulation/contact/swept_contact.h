@@ -15,8 +15,10 @@
 namespace fissure {
 
 struct SweptContactSettings {
-  int rounds = 4;   ///< responses in a step, at most; then tissue that still crosses a tool is stopped
-  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts in each of them
+  /// Responses to what crosses a tool, at most, after the one to what is near; then tissue that still crosses
+  /// is stopped. 0: no response at all.
+  int rounds = 4;
+  int sweeps = 30;                    ///< Gauss-Seidel sweeps over the contacts in each of them
   double max_displacement_m = 0.005;  ///< way on which a tool that starts in tissue is freed in a step
   std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
   std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
