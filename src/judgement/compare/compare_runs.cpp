@@ -301,9 +301,11 @@ bool RunComparison::agrees() const {
 }
 
 bool mayBeMissing(const std::string& quantity) {
-  static const std::array<const char*, 12> patterns = {
+  static const std::array<const char*, 15> patterns = {
       "reaction_force",  // not measured for Bullet's own contact
       "summary/max_reaction_N",
+      "summary/reaction_roughness",
+      "summary/tool_reaction_roughness",
       "tool_reaction",
       "clamp_reaction",
       "jaw_opening",                   // of hinged jaws, which have
@@ -312,6 +314,7 @@ bool mayBeMissing(const std::string& quantity) {
       "tools/*/node_thickness",        // no partner
       "summary/first_contact_time_s",  // no contact
       "summary/force_roughness*",      // no force
+      "summary/tool_force_roughness*",
       "summary/roughness_same_triangles*",
       "summary/node_switch_rate_hz",  // no time
   };

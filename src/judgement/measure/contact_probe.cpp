@@ -9,10 +9,11 @@ namespace fissure {
 
 namespace {
 
-/// Series contact_count and reaction_force(xyz), of several tools also tool_reaction(tool, xyz); where the
-/// pipeline has tool nodes also candidate_count, infeasible_count and capped_count, and the scalars
-/// node_switch_rate_hz, node_spacing_m and node_spacing_over_edge (NodeSpacing). Where nodes stand on all
-/// sides of a tool also oblique_steps: those with contact in which such a tool moves obliquely (isOblique).
+/// Series contact_count and reaction_force(xyz) with its roughness, of several tools also
+/// tool_reaction(tool, xyz) and the roughness of these taken together; where the pipeline has tool nodes also
+/// candidate_count, infeasible_count and capped_count, and the scalars node_switch_rate_hz, node_spacing_m
+/// and node_spacing_over_edge (NodeSpacing). Where nodes stand on all sides of a tool also oblique_steps:
+/// those with contact in which such a tool moves obliquely (isOblique).
 class ContactProbe : public Probe {
  public:
   explicit ContactProbe(const Scene& scene);
@@ -40,6 +41,8 @@ class ContactProbe : public Probe {
   long long steps_ = 0;
   long long oblique_steps_ = 0;
   RunningMax max_reaction_N_;
+  Roughness roughness_;
+  std::vector<Roughness> tool_roughness_;  ///< one a tool; empty: one at most
   long long contacts_total_ = 0;
   long long max_contacts_ = 0;
   long long switches_ = 0;
@@ -57,6 +60,7 @@ ContactProbe::ContactProbe(const Scene& scene)
     if (scene.tools[t].nodes.all_sides) all_sided_.push_back(t);
   if (scene.tools.size() < 2) return;
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
+  tool_roughness_.resize(tools_.size());
 }
 
 void ContactProbe::declare(RecordLayout& layout) {
@@ -94,10 +98,12 @@ void ContactProbe::sample(const State& state, RecordRow& row) {
   if (!all_sided_.empty()) countOblique(state);
   writeVector(state.contact.reaction_on_tool_N, reaction_column_, row);
   max_reaction_N_.add(state.contact.reaction_on_tool_N.norm());
+  roughness_.add(state.contact.reaction_on_tool_N.norm());
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const bool known = !state.contact.tool_reactions_N.empty();
-    writeVector(known ? state.contact.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing)),
-                tool_reaction_column_ + 3 * t, row);
+    const Vec3 reaction_N = known ? state.contact.tool_reactions_N[t] : Vec3(Vec3::Constant(kMissing));
+    writeVector(reaction_N, tool_reaction_column_ + 3 * t, row);
+    tool_roughness_[t].add(reaction_N.norm());
   }
 
   if (steps_ == 0) first_time_s_ = state.time_s;
@@ -139,6 +145,8 @@ void ContactProbe::summarize(Summary& summary) const {
   summary.push_back(countOrMissing("max_contact_count", steps_ > 0, max_contacts_));
   summary.push_back(countOrMissing("contacts_total", steps_ > 0, contacts_total_));
   summary.push_back({"max_reaction_N", max_reaction_N_.value()});
+  summary.push_back({"reaction_roughness", roughness_.value()});
+  if (!tools_.empty()) summary.push_back({"tool_reaction_roughness", Roughness::of(tool_roughness_)});
   if (node_count_ > 0) summary.push_back({"node_switch_rate_hz", switchRate_hz()});
   if (spacing_) {
     summary.push_back({"node_spacing_m", spacing_->spacing_m});

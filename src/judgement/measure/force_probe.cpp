@@ -16,8 +16,9 @@ namespace {
 /// adhesion_clamped(law) and, of the triangles in a colliding state (colliding_triangles), largest and mean
 /// deformation(law) and its rate(law); tool_force(law, tool, xyz); where a tool has a force limit
 /// saturated(law, tool), the force itself stays as it is. Scalars: the largest magnitude, the roughness, that
-/// of the triangles that stay (roughness_same_triangles) and, with a limit, the steps in which a tool was
-/// saturated, of every law; those of the first law under their short names too.
+/// of the triangles that stay (roughness_same_triangles), that of several tools' forces taken together
+/// (tool_force_roughness) and, with a limit, the steps in which a tool was saturated, of every law; those of
+/// the first law under their short names too.
 /// force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed.
 class ForceProbe : public Probe {
  public:
@@ -33,6 +34,7 @@ class ForceProbe : public Probe {
     std::string name;
     RunningMax max_N;
     Roughness roughness;
+    std::vector<Roughness> tool_roughness;  ///< one a tool; empty: one at most
     long long saturated_steps = 0;
     std::optional<long long> non_finite_at_step;
   };
@@ -89,6 +91,8 @@ ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene)
     : same_triangles_(scenario.force.size()) {
   for (const ForceSettings& law : scenario.force) laws_.push_back({.name = law.name});
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
+  if (tools_.size() > 1)
+    for (Law& law : laws_) law.tool_roughness.resize(tools_.size());
   limits_N_.resize(tools_.size());
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
     const auto at = std::find(tools_.begin(), tools_.end(), tool.name);
@@ -161,6 +165,7 @@ void ForceProbe::sampleTools(const State& state, std::size_t law, RecordRow& row
     const std::size_t at = law * tools_.size() + t;
     const Vec3& force_N = state.tool_forces_N[at];
     writeVector(force_N, tool_force_column_ + 3 * at, row);
+    if (!laws_[law].tool_roughness.empty()) laws_[law].tool_roughness[t].add(force_N.norm());
     if (limits_N_.empty()) continue;
     // Negated, so that a force that is not a number counts as beyond the limit.
     const bool saturated = limits_N_[t] && !(force_N.norm() <= *limits_N_[t]);
@@ -176,6 +181,8 @@ void ForceProbe::summarize(Summary& summary) const {
     summary.push_back({"max_force" + name + "_N", law.max_N.value(), true});
     summary.push_back({"force_roughness" + name, law.roughness.value(), true});
     summary.push_back({"roughness_same_triangles" + name, same_triangles_.value(index), true});
+    if (!law.tool_roughness.empty())
+      summary.push_back({"tool_force_roughness" + name, Roughness::of(law.tool_roughness), true});
     if (limits_N_.empty()) return;
     summary.push_back(countOrMissing("saturated_steps" + name, sampled_, law.saturated_steps));
     summary.back().of_law = true;

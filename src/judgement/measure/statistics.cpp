@@ -31,11 +31,14 @@ void Roughness::add(double value) {
   last_ = value;
 }
 
-double Roughness::value() const {
-  if (count_ < 3 || sum_of_squares_ == 0) return kMissing;
-  const double mean_square = sum_of_squares_ / static_cast<double>(count_);
-  const double mean_square_difference = sum_of_squared_differences_ / static_cast<double>(count_ - 2);
-  return std::sqrt(mean_square_difference / mean_square);
+double Roughness::of(std::span<const Roughness> series) {
+  double mean_square = 0, mean_square_difference = 0;
+  for (const Roughness& one : series) {
+    if (one.count_ < 3) return kMissing;
+    mean_square += one.sum_of_squares_ / static_cast<double>(one.count_);
+    mean_square_difference += one.sum_of_squared_differences_ / static_cast<double>(one.count_ - 2);
+  }
+  return mean_square == 0 ? kMissing : std::sqrt(mean_square_difference / mean_square);
 }
 
 double percentile(std::vector<double> values, double percent) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,7 +39,9 @@ class RunningMax {
 class Roughness {
  public:
   void add(double value);
-  double value() const;
+  double value() const { return of({this, 1}); }
+  /// The roughness of several series of the same length taken together: both means are over all their values.
+  static double of(std::span<const Roughness> series);
 
  private:
   double before_last_ = 0;

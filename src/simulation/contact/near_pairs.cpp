@@ -6,6 +6,7 @@ namespace fissure {
 namespace {
 
 constexpr double kTolerance = 1e-9;  ///< of shares of an edge, and of cosines
+constexpr double kLean = 0.5;        ///< sine: how far a direction that leads away may lean to the inside
 
 bool isInterior(double share) {
   return share > kTolerance && share < 1 - kTolerance;
@@ -36,7 +37,7 @@ bool leavesEdge(const SurfaceFeatures& surface, std::span<const Vec3> points_m, 
     if (edge.faces[side] < 0) continue;
     Vec3 inward = points_m[surface.opposite(edge, side)] - points_m[edge.from];
     inward -= inward.dot(along) * along;
-    if (inward.dot(direction) > kTolerance * inward.norm() * direction.norm()) return false;
+    if (inward.dot(direction) > kLean * inward.norm() * direction.norm()) return false;
   }
   return true;
 }
@@ -46,7 +47,7 @@ bool leavesCorner(const SurfaceFeatures& surface, std::span<const Vec3> points_m
                   const Vec3& direction) {
   for (const int other : surface.neighbours(corner)) {
     const Vec3 edge = points_m[other] - points_m[corner];
-    if (edge.dot(direction) > kTolerance * edge.norm() * direction.norm()) return false;
+    if (edge.dot(direction) > kLean * edge.norm() * direction.norm()) return false;
   }
   return true;
 }

@@ -8,7 +8,7 @@ namespace fissure {
 
 namespace {
 
-constexpr double kNearMargins = 2;    ///< pairs nearer than this many margins are contacts
+constexpr double kNearMargins = 3;    ///< pairs nearer than this many margins are contacts
 constexpr double kSeparation = 0.01;  ///< of a margin: pairs that come nearer than that cross
 
 /// How much of a contact's triangle counts: 1 up to a margin from the tool, 0 from kNearMargins of it on.
@@ -52,15 +52,14 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
                       .dt_s = given.dt_s};
   solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
   findNear(step);
-  findCrossings(step, false);
-  shareRoom(step);
   clock.lap(times_.search_s);
   bool crosses = true;
-  for (int round = 0; round == 0 || (crosses && round < settings_.rounds); ++round) {
+  for (int round = 0; crosses && round <= settings_.rounds; ++round) {
     if (round > 0) std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
+    shareRoom(step);
     respond(step, inverse_masses);
     clock.lap(times_.displacement_s);
-    crosses = findCrossings(step, true);
+    crosses = findCrossings(step, round == 0);
     if (ground_) crosses |= ground_->findBelow(step.positions_m, inverse_masses);
     clock.lap(times_.search_s);
   }
@@ -127,26 +126,31 @@ void SweptContact::findNear(const StepView& step) {
   for (std::size_t o = 0; o < obstacles_.size(); ++o) {
     SweptObstacle& obstacle = obstacles_[o];
     obstacle.setBefore(path_from_[obstacle.tool].pose, step.before_m);
-    obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
     const double reach_m = kNearMargins * obstacle.margin_m;
-    obstacle.pairs.gather(obstacle.path(), reach_m);
+    const TissuePath still{obstacle.before_m, obstacle.before_m};
+    obstacle.pairs.gather(still, reach_m);
     found_.clear();
-    obstacle.pairs.findNear(obstacle.path(), reach_m, found_);
+    obstacle.pairs.findNear(still, reach_m, found_);
     for (const SweptPair& pair : found_) add(step, {static_cast<int>(o), pair});
   }
   near_count_ = constraints_.size();
   if (ground_) ground_->begin(step);
 }
 
-// Before the first response a pair that is near already stays as it is; after one it is renewed.
-bool SweptContact::findCrossings(const StepView& step, bool responded) {
+// A pair that is near, or crossed before, is renewed. After the first response all of the tissue has a new
+// path; after another one only what that one moved.
+bool SweptContact::findCrossings(const StepView& step, bool whole_paths) {
   bool any = false;
   for (std::size_t o = 0; o < obstacles_.size(); ++o) {
     SweptObstacle& obstacle = obstacles_[o];
     const double separation_m = kSeparation * obstacle.margin_m;
-    if (responded) {
+    const Pose& pose = step.tools_now[obstacle.tool].pose;
+    if (whole_paths) {
+      obstacle.setNow(pose, step.positions_m);
+      obstacle.pairs.gather(obstacle.path(), separation_m);
+    } else {
       findMoved(obstacle);
-      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m, moved_);
+      obstacle.setNow(pose, step.positions_m, moved_);
       obstacle.pairs.gather(obstacle.path(), separation_m, moved_);
     }
     found_.clear();
@@ -156,7 +160,7 @@ bool SweptContact::findCrossings(const StepView& step, bool responded) {
       const int known = indexOf(source);
       if (known < 0)
         add(step, source);
-      else if (responded)
+      else
         constraints_[known] = constraintOf(step, source);
     }
     any |= !found_.empty();
@@ -261,7 +265,7 @@ void SweptContact::touch(const StepView& step, std::size_t index, std::span<cons
     if (patch.face_weights.empty()) continue;
     for (const int f : obstacle.pairs.tissue().facesAt(vertex - static_cast<int>(obstacle.first_vertex))) {
       const std::size_t face = obstacle.first_face + static_cast<std::size_t>(f);
-      patch.touchFace(contact.tool, static_cast<int>(face), share * contact.normal, displacement_m);
+      patch.touchFace(contact.tool, static_cast<int>(face), share * contact.normal, share * displacement_m);
       patch.face_weights[face] = std::min(1.0, patch.face_weights[face] + share);
     }
   }

@@ -17,8 +17,10 @@
 namespace fissure {
 
 struct SweptContactSettings {
-  int rounds = 4;   ///< responses in a step, at most; then tissue that still crosses a tool is stopped
-  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts in each of them
+  /// Responses to what crosses a tool, at most, after the one to what is near; then tissue that still crosses
+  /// is stopped. 0: no response at all.
+  int rounds = 4;
+  int sweeps = 30;                    ///< Gauss-Seidel sweeps over the contacts in each of them
   double max_displacement_m = 0.005;  ///< way on which a tool that starts in tissue is freed in a step
   std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
   std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
@@ -37,16 +39,22 @@ struct SweptTimes {
 };
 
 /// Contact of all of the tools' surface with all of the tissue's (METHOD section 9): pairs that are near when
-/// the step begins, and pairs that cross on the path of the step, are held apart by impulses; the result is
-/// searched for crossings again, and what still crosses after the last round is stopped on its path. No step
-/// ends with tissue in a tool but where there is no room for it. The ground is one more such obstacle, with
-/// contacts of its own among those of the tools, and no step ends with tissue below it but with fixed
-/// vertices. Tissue against itself and against other tissue is not covered. One object belongs to one run.
+/// the step begins are held apart by impulses; the result is searched for pairs that cross on the path of the
+/// step, and these are held apart too, from the engine's solve again. What still crosses after the last round
+/// is stopped on its path. No step ends with tissue in a tool but where there is no room for it. The ground
+/// is one more such obstacle, with contacts of its own among those of the tools, and no step ends with tissue
+/// below it but with fixed vertices. Tissue against itself and against other tissue is not covered. One
+/// object belongs to one run.
+///
+/// What would cross without any contact is not looked for: in one step the tissue's own stiffness would take
+/// it a millimetre into a tool that holds it, and which pairs it crosses there, with which normals, changes
+/// from step to step.
 ///
 /// The force of a triangle counts in full where a contact holds it, and fades out as contacts are farther
-/// from the tool than a margin: at two margins none counts. So triangles come and go without jumps. Pairs
-/// that cross count only at vertices where none was near: they hang on what the engine's solve predicts, and
-/// come and go with it. Contacts with the ground are no colliding state.
+/// from the tool than a margin: at three margins none counts. Contacts at a vertex count in full for its
+/// triangles, others in proportion to their barycentric coordinates. So triangles come and go without jumps.
+/// Pairs that cross count only at vertices where none was near. Contacts with the ground are no colliding
+/// state.
 ///
 /// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
 /// beside it and comes back, max_displacement_m a step.
@@ -78,7 +86,7 @@ class SweptContact {
   void placeTools(const StepView& step);
   void freeTools(const StepView& step);
   void findNear(const StepView& step);
-  bool findCrossings(const StepView& step, bool responded);
+  bool findCrossings(const StepView& step, bool whole_paths);
   void findMoved(const SweptObstacle& obstacle);
   void shareRoom(const StepView& step);
   void respond(const StepView& step, std::span<const double> inverse_masses);

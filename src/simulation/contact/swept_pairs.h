@@ -55,8 +55,10 @@ class SweptPairs {
   void gather(const TissuePath& path, double reach_m, std::span<const int> moved);
 
   /// Appends every local minimum below `reach_m` of the distance between tissue and tool at the path's start.
-  /// Between edges it is enough that one face of the tissue's edge looks at the tool: contacts then change
-  /// less from step to step than with strict minima.
+  /// So that contacts change less from step to step than strict minima, the direction from an edge or corner
+  /// may lean by up to 30 degrees over what meets there: else tissue that lies flat on a tool's rim gains and
+  /// loses contacts by rounding. And between edges it is enough that one face of the tissue's edge looks at
+  /// the tool.
   void findNear(const TissuePath& path, double reach_m, std::vector<SweptPair>& pairs) const;
 
   /// Appends every pair of features that comes nearer than `separation_m` on the path, or, where it starts

@@ -28,8 +28,8 @@ class Keys {
 
 void addLaw(const std::string& law, const std::string& owner, Keys& keys) {
   keys.add("max_force_" + law + "_N", {owner});
-  for (const char* what :
-       {"force_roughness_", "roughness_same_triangles_", "saturated_steps_", "force_non_finite_at_step_"})
+  for (const char* what : {"force_roughness_", "roughness_same_triangles_", "tool_force_roughness_",
+                           "saturated_steps_", "force_non_finite_at_step_"})
     keys.add(what + law, {owner});
 }
 

@@ -307,6 +307,38 @@ TEST_F(ProbesTest, ThePeakOfTheReaction) {
   EXPECT_EQ(real("max_reaction_N"), 5);
 }
 
+// Two tools hold each other the balance: the sum is 0, and what each feels alternates.
+TEST_F(ProbesTest, RoughnessOfTheReactionAndOfWhatEachToolFeels) {
+  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}, {0.04, 0.002, 0.015}});
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0), test::at(0, -0.2, 0)});
+  addLaws({"hc", "linear"});
+  start();
+  for (int i = 0; i < 6; ++i) {
+    const double size_N = i % 2 == 0 ? 1 : 2;
+    state_.contact.tool_reactions_N = {Vec3(0, size_N, 0), Vec3(0, 0, -2)};
+    state_.contact.reaction_on_tool_N = Vec3(size_N, 0, 0);
+    state_.tool_forces_N = {Vec3(0, size_N, 0), Vec3(0, -size_N, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)};
+    step();
+  }
+  EXPECT_DOUBLE_EQ(real("reaction_roughness"), 2 / std::sqrt(2.5));
+  EXPECT_DOUBLE_EQ(real("tool_reaction_roughness"), 2 / std::sqrt(6.5));
+  EXPECT_TRUE(std::isnan(real("force_roughness_hc"))) << "the sum is 0";
+  EXPECT_DOUBLE_EQ(real("tool_force_roughness_hc"), 2 / std::sqrt(2.5));
+  EXPECT_DOUBLE_EQ(real("tool_force_roughness"), 2 / std::sqrt(2.5));
+  EXPECT_EQ(real("tool_force_roughness_linear"), 0);
+  state_.contact.tool_reactions_N.clear();
+  step();
+  EXPECT_TRUE(std::isnan(real("tool_reaction_roughness"))) << "not measured";
+}
+
+TEST_F(ProbesTest, OneToolHasNoRoughnessOfItsOwn) {
+  addLaws({"hc"});
+  start();
+  step();
+  for (const char* name : {"tool_reaction_roughness", "tool_force_roughness", "tool_force_roughness_hc"})
+    EXPECT_EQ(scalar(name).name, "absent") << name;
+}
+
 // Along one of its axes a blade moves straight; between them it moves obliquely.
 TEST_F(ProbesTest, ObliqueStepsOfNodesOnAllSides) {
   addNodes(4);

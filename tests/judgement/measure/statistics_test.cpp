@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,6 +37,21 @@ TEST(Statistics, RoughnessOfASine) {
   Roughness roughness;
   for (int i = 0; i < 200'000; ++i) roughness.add(std::sin(0.3 * i));
   EXPECT_NEAR(roughness.value(), 2 - 2 * std::cos(0.3), 1e-6);
+}
+
+// 1, 2, 1, 2, ...: second differences of 2, mean square 2.5; the other series only adds 4 to the mean square.
+TEST(Statistics, RoughnessOfSeriesTakenTogether) {
+  std::array<Roughness, 2> series;
+  for (int i = 0; i < 6; ++i) {
+    EXPECT_TRUE(std::isnan(Roughness::of(series)) || i >= 3) << i;
+    series[0].add(i % 2 == 0 ? 1 : 2);
+    series[1].add(2);
+  }
+  EXPECT_DOUBLE_EQ(Roughness::of(series), 2 / std::sqrt(6.5));
+  EXPECT_DOUBLE_EQ(series[0].value(), 2 / std::sqrt(2.5));
+  EXPECT_EQ(series[1].value(), 0);
+  series[1].add(kNaN);
+  EXPECT_TRUE(std::isnan(Roughness::of(series)));
 }
 
 TEST(Statistics, MaximumKeepsNaN) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
 #include <random>
 
 #include "mesh/primitives.h"
@@ -165,6 +166,30 @@ TEST(CrossingPairs, AreNoneForTissueThatStaysOrLeaves) {
   for (Vec3& v : to_m) v.y() -= 0.001 + 5e-7;
   pairs.findCrossings(path, kSeparation_m, found);
   EXPECT_FALSE(found.empty()) << "comes nearer still";
+}
+
+// The rim of a tool under a flat piece of tissue that tilts to either side: the three edges of its lower face
+// (with the diagonal) that cross the rim stay pairs with it, however they tilt.
+TEST(NearPairs, StayWhereTissueOnARimTilts) {
+  const SceneTool tool = toolOf(makeBox(Vec3(0.02, 0.002, 0.02)));
+  for (const double degrees : {-20.0, -5.0, -1e-6, 0.0, 1e-6, 5.0, 20.0}) {
+    const Quat tilt(Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vec3::UnitZ()));
+    SceneBody body;
+    body.rest = placed(makeBox(Vec3(0.008, 0.004, 0.004)), {.position_m = Vec3(0, 0.002, 0)});
+    body.rest = placed(body.rest, {.position_m = Vec3(0.01, 0.0015, 0), .orientation = tilt});
+    SweptPairs pairs(tool, body);
+    const TissuePath still{body.rest.vertices_m, body.rest.vertices_m};
+    std::vector<SweptPair> found;
+    pairs.gather(still, kReach_m);
+    pairs.findNear(still, kReach_m, found);
+    EXPECT_EQ(std::count_if(found.begin(), found.end(),
+                            [](const SweptPair& pair) {
+                              return pair.kind == PairKind::edge_edge && pair.tool_point_m.x() > 0.0099 &&
+                                     pair.tool_point_m.y() > 0.0009;
+                            }),
+              3)
+        << degrees;
+  }
 }
 
 // Over the diagonal of a box's face, which is no edge, there is one contact as anywhere else.
