@@ -8,9 +8,6 @@ namespace fissure {
 
 namespace {
 
-/// How much smaller than at rest the product of the two norms may become: half the size in every direction.
-constexpr btScalar kMostShrunk = 16;
-
 /// Sum over the vertices of weight (x - centre) X^T, where X is the place in the rest shape and x the vertex.
 btMatrix3x3 scatter(const btSoftBody& body, const btVector3& centre) {
   btMatrix3x3 sum(0, 0, 0, 0, 0, 0, 0, 0, 0);
@@ -35,7 +32,7 @@ btScalar largestRowSum(const btMatrix3x3& matrix) {
 bool PoseMatching::isNeededFor(const btSoftBody& body) {
   if (!body.m_pose.m_bframe || body.m_cfg.kMT <= 0) return false;
   const btMatrix3x3 rest = scatter(body, body.m_pose.m_com);
-  return largestRowSum(rest) * largestRowSum(rest.transpose()) < kMostShrunk * SIMD_EPSILON;
+  return largestRowSum(rest) * largestRowSum(rest.transpose()) < SIMD_EPSILON;
 }
 
 PoseMatching::PoseMatching(btSoftBody& body)

@@ -11,7 +11,8 @@ namespace fissure {
 /// Here the matrix is scaled to the size of one first; all else is Bullet's.
 class PoseMatching {
  public:
-  /// Whether the body at rest is matched and so small, or so near it that pressed tissue could become so.
+  /// Whether the body is matched, and at rest so small. (One that becomes so only while it is pressed stays
+  /// with Bullet's own.)
   static bool isNeededFor(const btSoftBody& body);
 
   /// Takes the matching over: Bullet's own is switched off (kMT = 0). The body must outlive this.
