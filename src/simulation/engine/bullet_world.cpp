@@ -11,6 +11,7 @@ namespace fissure {
 void StagedSoftBodySolver::predictMotion(btScalar) {
   StageClock clock;
   btDefaultSoftBodySolver::predictMotion(static_cast<btScalar>(step_s_));
+  for (const PoseMatching& body : matched_) body.apply();
   clock.lap(predict_s);
 }
 
@@ -64,6 +65,7 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
     bodies_.push_back(makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline,
                                    scene.bodies[b].fixed_vertices));
     world_->addSoftBody(bodies_.back().get());
+    if (PoseMatching::isNeededFor(*bodies_.back())) solver_->matchPose(*bodies_.back());
   }
 }
 

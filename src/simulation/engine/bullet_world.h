@@ -15,15 +15,18 @@
 #include "base/scene.h"
 #include "base/stage_times.h"
 #include "engine/ground.h"
+#include "engine/pose_matching.h"
 #include "scenario/scenario.h"
 
 namespace fissure {
 
-/// Bullet's soft-body solver with things of ours: the ground's contacts and a stage before its solve, and a
-/// stage after it. Steps with the exact time step, where Bullet's world hands over a float.
+/// Bullet's soft-body solver with things of ours: the pose matching of small bodies, the ground's contacts
+/// and a stage before its solve, and a stage after it. Steps with the exact time step, where Bullet's world
+/// hands over a float.
 class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  public:
   StagedSoftBodySolver(double step_s, Ground* ground) : step_s_(step_s), ground_(ground) {}
+  void matchPose(btSoftBody& body) { matched_.emplace_back(body); }
   void setBeforeSolve(std::function<void()> stage) { before_solve_ = std::move(stage); }
   void setAfterSolve(std::function<void()> stage) { after_solve_ = std::move(stage); }
   void predictMotion(btScalar step_s) override;
@@ -34,6 +37,7 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  private:
   double step_s_;
   Ground* ground_;  ///< null: no ground of Bullet's
+  std::vector<PoseMatching> matched_;
   std::function<void()> before_solve_;
   std::function<void()> after_solve_;
 };
