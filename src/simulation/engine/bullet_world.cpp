@@ -23,7 +23,9 @@ void StagedSoftBodySolver::solveConstraints(btScalar step_s) {
   clock.lap(solve_s);
   if (before_solve_) before_solve_();
   clock = {};
+  if (preview_) preview_->lift(m_softBodySet);
   btDefaultSoftBodySolver::solveConstraints(step_s);
+  if (preview_) preview_->takeBack(m_softBodySet);
   clock.lap(solve_s);
   if (after_solve_) after_solve_();
 }
@@ -61,6 +63,7 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
   info.m_maxDisplacement = static_cast<btScalar>(scenario.world.max_displacement_m);
   info.m_sparsesdf.setDefaultVoxelsz(static_cast<btScalar>(pipeline.sdfVoxel_m()));
   info.m_sparsesdf.Reset();  // a new voxel size applies from here on
+  if (scenario.ground && !ground_) solver_->showGround(scenario.ground->height_m);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     bodies_.push_back(makeSoftBody(info, scene.bodies[b].rest, scenario.bodies[b], pipeline,
                                    scene.bodies[b].fixed_vertices));

@@ -15,6 +15,7 @@
 #include "base/scene.h"
 #include "base/stage_times.h"
 #include "engine/ground.h"
+#include "engine/ground_preview.h"
 #include "engine/pose_matching.h"
 #include "scenario/scenario.h"
 
@@ -26,6 +27,8 @@ namespace fissure {
 class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  public:
   StagedSoftBodySolver(double step_s, Ground* ground) : step_s_(step_s), ground_(ground) {}
+  /// Of a ground that is none of Bullet's.
+  void showGround(double height_m) { preview_.emplace(height_m); }
   void matchPose(btSoftBody& body) { matched_.emplace_back(body); }
   void setBeforeSolve(std::function<void()> stage) { before_solve_ = std::move(stage); }
   void setAfterSolve(std::function<void()> stage) { after_solve_ = std::move(stage); }
@@ -37,6 +40,7 @@ class StagedSoftBodySolver : public btDefaultSoftBodySolver {
  private:
   double step_s_;
   Ground* ground_;  ///< null: no ground of Bullet's
+  std::optional<GroundPreview> preview_;
   std::vector<PoseMatching> matched_;
   std::function<void()> before_solve_;
   std::function<void()> after_solve_;
