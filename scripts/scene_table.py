@@ -52,8 +52,8 @@ HEAD = """# Scenes x pipelines x speeds
 
 Every scene of configs/ that has a tool. x: factor on the speeds of all motion segments (durations divided, holds as they are); replayed
 logs run as they are. Speed: the fastest that any point of a tool moves. Depth: the worst of the run; with inverted: where
-inverted tissue counts as tissue. Below ground: of tissue, in Bullet's ground contact. Not proved: steps whose end is not proved free of
-overlap between tool and tissue. Force: peak of the scene's first law. Time: mean step over that of the scene's first run at this speed; runs shared two cores, so only a factor of two says something.
+inverted tissue counts as tissue. Below ground: of tissue, in Bullet's ground contact, and with `swept` in its own. Not proved: steps whose end is not proved free
+of overlap between tool and tissue. Force: peak of the scene's first law. Time: mean step over that of the scene's first run at this speed; runs shared two cores, so only a factor of two says something.
 Spacing: the widest between neighbouring nodes, over the tissue's mean edge; the method promises its depth up to 0.5.
 **Bold**: `fukuhara` deeper than {limit} mm (inverted tissue counted), with samples that passed through, or not finished.
 
