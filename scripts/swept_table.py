@@ -30,6 +30,7 @@ BAR_SPEEDS_M_S = [0.05, 0.5, 3]
 BAR_STEPS_S = {"1 ms": 0.001, "1/240 s": 1 / 240}
 DEPTH_MM = FLOOR_MM = 0.01  # the page says it of both
 EDGES = 0.5  # a tool that moves more tissue edges than this in a step may turn tissue inside out
+SAGGING = 0.9  # of its height as it is put: lower, and tissue has sunk into itself
 NAMED = 8  # of the runs without a cause
 FINER = 4  # a step that many times as short tells the shell's own softness in long steps from contact
 CHECKED = [
@@ -222,9 +223,18 @@ def inversion(run_again, row, inverted, contacts, step_s):
         run = result["pipelines/swept"]
         snapshot = int(np.argmin(np.abs(run["snapshot_time"][:] - run["time"][int(inverted.argmax())])))
         row["buried"], row["folded_at_contact"], row["folded_alone"] = kinds(run, snapshot)
-    if row["folded_at_contact"]:
+    if row["folded_at_contact"] or not row["buried"] + row["folded_alone"]:
         with run_again(step_s / FINER, 1.0) as result:
             row["inverted_finer_step"] = int(result["pipelines/swept/inverted_triangles"][:].max())
+
+
+def height_share(arguments, scenario, folder, words, step_s):
+    """The least height of the tissue over the height at which it is put."""
+    heights_m = []
+    for settling in ([], ["--set", "time.settle_s=0"]):
+        with simulated(arguments, scenario, folder, [*words, *settling], step_s, 0.05) as result:
+            heights_m.append(np.ptp(result["pipelines/swept/positions"][:, :, 1], axis=1))
+    return heights_m[0].min() / heights_m[1][0]
 
 
 def row_of(arguments, cell, scenario, folder, words, step_s):
@@ -249,6 +259,8 @@ def row_of(arguments, cell, scenario, folder, words, step_s):
         row["rounds_a_step"] = summary["rounds"] / summary["steps"]
     if row["inverted"]:
         inversion(lambda *steps: simulated(arguments, scenario, folder, words, *steps), row, inverted, contacts, step_s)
+    if not row["contact_steps"]:
+        row["height_share"] = height_share(arguments, scenario, folder, words, step_s)
     return {key: f"{value:.6g}" if isinstance(value, float) else str(value) for key, value in row.items()}
 
 
@@ -274,7 +286,9 @@ def found(row):
         yield f"ended as {row['status']}: "
     if not number["contact_steps"]:
         sunk = f"the tissue has sunk {row['floor_mm']} mm below the floor" if number["floor_mm"] > FLOOR_MM else ""
-        yield f"no tool meets tissue: {before_contact(row, number) or sunk}"
+        sags = number.get("height_share", 1) < SAGGING
+        sagged = f"in steps so long the shell sags to {number['height_share']:.0%} of its height" if sags else ""
+        yield f"no tool meets tissue: {before_contact(row, number) or sunk or sagged}"
     if number["starts_inside_steps"]:
         yield f"{number['depth_mm']:.2f} mm deep at the start: the tool starts inside tissue, free in step {row['starts_inside_steps']}"
     if number["depth_once_free_mm"] > DEPTH_MM:
@@ -301,11 +315,13 @@ def inverted_cause(row, number):
         parts.append(f"{row['buried']} in other tissue of their body")
     if number["folded_alone"]:
         parts.append(f"{row['folded_alone']} folded where no contact is")
-    if number["folded_at_contact"] and 2 * number["inverted_before_contact"] < number["inverted"]:
+    unclear = not number["buried"] + number["folded_alone"] + number["folded_at_contact"]
+    if (number["folded_at_contact"] or unclear) and 2 * number["inverted_before_contact"] < number["inverted"]:
         slack = f"with a step of 1/{FINER} none is: the shell gives way in longer ones" if not number["inverted_finer_step"] else ""
         if not (reason := slack or REASONS.get(row["scene"], "")):
             return ""
-        parts.append(f"{row['folded_at_contact']} folded at contacts ({reason})")
+        folded = "by less than a thousandth of a triangle" if unclear else f"{row['folded_at_contact']} folded at contacts"
+        parts.append(f"{folded} ({reason})")
     return ", ".join(parts)
 
 
