@@ -256,7 +256,8 @@ def row_of(arguments, cell, scenario, folder, words, step_s):
             row[name] = int(summary[name])
         row["inverted"] = int(inverted.max())
         row["contact_steps"] = int((contacts > 0).sum())
-        row["rounds_a_step"] = summary["rounds"] / summary["steps"]
+        settle_s = yaml.safe_load(result["provenance/scenario_resolved"].asstr()[()])["time"]["settle_s"]
+        row["rounds_a_step"] = summary["rounds"] / (summary["steps"] + round(settle_s / step_s))
     if row["inverted"]:
         inversion(lambda *steps: simulated(arguments, scenario, folder, words, *steps), row, inverted, contacts, step_s)
     if not row["contact_steps"]:
@@ -281,7 +282,7 @@ def measure(arguments, cell, natural):
 def found(row):
     """The exceptions of a run, each with its cause after a colon; empty after it: none is known."""
     number = {key: float(value) for key, value in row.items() if key not in ("scene", "step", "status") and value != ""}
-    no_room = f"no room in {row['no_room_steps']} steps" if number["no_room_steps"] else ""
+    no_room = f"no room in {row['no_room_steps']} steps" if number["no_room_steps"] >= max(number["not_proved"], 1) else ""
     if row["status"] != "ok":
         yield f"ended as {row['status']}: "
     if not number["contact_steps"]:
@@ -289,12 +290,14 @@ def found(row):
         sags = number.get("height_share", 1) < SAGGING
         sagged = f"in steps so long the shell sags to {number['height_share']:.0%} of its height" if sags else ""
         yield f"no tool meets tissue: {before_contact(row, number) or sunk or sagged}"
-    if number["starts_inside_steps"]:
+    if number["starts_inside_steps"] and number["depth_mm"] <= DEPTH_MM:
+        yield f"{row['starts_inside_steps']} steps at the start not proved: "
+    elif number["starts_inside_steps"]:
         yield f"{number['depth_mm']:.2f} mm deep at the start: the tool starts inside tissue, free in step {row['starts_inside_steps']}"
     if number["depth_once_free_mm"] > DEPTH_MM:
         yield f"{number['depth_once_free_mm']:.2f} mm deep: {no_room}"
     if number["floor_mm"] > FLOOR_MM:
-        yield f"{number['floor_mm']:.2f} mm below the floor: {no_room}"
+        yield f"{number['floor_mm']:.2f} mm below the floor: "
     if number["passed_through_samples"]:
         yield f"{row['passed_through_samples']} samples passed through: {no_room}"
     if number["not_proved"]:

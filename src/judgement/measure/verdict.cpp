@@ -110,12 +110,15 @@ std::vector<Remark> remarksOf(const Summary& summary) {
                          "nodes on narrow ones tear tissue (compare with narrow_rows: 0)",
                          steps)});
   if (const double steps = numberIn(summary, "truncated_steps").value_or(0); steps > 0)
-    remarks.push_back({false, formatted("in %.0f steps tissue that still crossed a tool after all rounds was "
+    remarks.push_back({false, formatted("in %.0f steps tissue that contacts did not hold was "
                                         "stopped on its way (%.0f vertices)",
                                         steps, numberIn(summary, "truncated_vertices").value_or(0))});
   if (const double steps = numberIn(summary, "no_room_steps").value_or(0); steps > 0)
     remarks.push_back(
-        {true, formatted("after %.0f steps tools left no room for tissue, which may overlap one", steps)});
+        {true, formatted("after %.0f steps there was no room for tissue, which may overlap a tool", steps)});
+  if (const double steps = numberIn(summary, "freeing_steps").value_or(0); steps > 0)
+    remarks.push_back(
+        {true, formatted("in %.0f steps a tool that stood in tissue was on its way out", steps)});
   return remarks;
 }
 

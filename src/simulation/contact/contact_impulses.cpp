@@ -74,8 +74,12 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
     normals_[i] = contact.normal;
     push.vertex = contact.vertices[0];
     push.tool = contact.tool;
-    for (int j = 0; j < 3; ++j)
+    double most = 0;
+    for (int j = 0; j < 3; ++j) {
       push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
+      most = std::max(most, inverse_masses[contact.vertices[j]]);
+    }
+    if (push.mobility < least_mobility_ * most) push.mobility = 0;
     const bool of_ground = contact.tool == kGround;
     const Pose& from = of_ground ? rest : step.tools_before[contact.tool].pose;
     const Pose& to = of_ground ? rest : step.tools_now[contact.tool].pose;

@@ -20,7 +20,10 @@ namespace fissure {
 /// tissue point is as mobile in every direction.
 class ContactImpulses {
  public:
-  ContactImpulses(int vertex_count, int sweeps) : sweeps_(sweeps), motion_m_(vertex_count) {}
+  /// `least_mobility`: a contact whose point is less mobile than this share of its most mobile vertex is
+  /// none. It could move the point, which hangs on fixed vertices, only by throwing that vertex.
+  ContactImpulses(int vertex_count, int sweeps, double least_mobility = 0)
+      : sweeps_(sweeps), least_mobility_(least_mobility), motion_m_(vertex_count) {}
 
   /// Moves the step's positions_m in place. inverse_masses: one per vertex in 1/kg, 0: fixed.
   void apply(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
@@ -63,6 +66,7 @@ class ContactImpulses {
                   std::span<const double> inverse_masses, std::span<Vec3> of_vertices);
 
   int sweeps_;
+  double least_mobility_;
   DisplacementCounts counts_;
   std::vector<Push> pushes_;  ///< one a constraint
   std::vector<Vec3> normals_;

@@ -43,7 +43,7 @@ void GroundContact::append(std::vector<ContactConstraint>& constraints) const {
 void GroundContact::makeRoomUnder(ContactConstraint& of_tool) const {
   if (of_tool.normal.dot(ground_.normal) > kOpposed) return;
   const double room_m = std::max(ground_.height_m(of_tool.position_m), 0.0);
-  if (of_tool.target_m > room_m) of_tool.target_m = 0.5 * room_m;
+  of_tool.target_m = std::min(of_tool.target_m, 0.5 * room_m);
 }
 
 }  // namespace fissure

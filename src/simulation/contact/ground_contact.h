@@ -31,8 +31,7 @@ class GroundContact {
   /// is the one that holds exactly.
   void append(std::vector<ContactConstraint>& constraints) const;
 
-  /// Where a tool presses tissue down from nearer to the ground than its target, the target becomes the
-  /// middle.
+  /// Where a tool presses tissue down, its target is at most half the way to the ground.
   void makeRoomUnder(ContactConstraint& of_tool) const;
 
  private:

@@ -85,6 +85,7 @@ bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptP
     const double share = only_ride_ ? 0 : kKept * pair.time;
     const Vec3 &from_m = obstacle.before_m[of_body], &to_m = obstacle.now_m[of_body];
     step.positions_m[v] = step.tools_now[obstacle.tool].pose.toScene(from_m + share * (to_m - from_m));
+    if (single_precision_) roundToSingle(step.positions_m[v]);
     stopped_by_[v] = index;
     rides_[v] = only_ride_ ? 1 : 0;
     moved = true;

@@ -25,8 +25,12 @@ struct TruncationCounts {
 /// without room where tissue may then overlap a tool.
 class PathTruncation {
  public:
-  PathTruncation(int vertex_count, const std::optional<HalfSpace>& ground)
-      : ground_(ground), stopped_by_(vertex_count, kNone), rides_(vertex_count) {}
+  /// `single_precision`: of the engine; positions are rounded to it before they are checked.
+  PathTruncation(int vertex_count, const std::optional<HalfSpace>& ground, bool single_precision)
+      : ground_(ground),
+        single_precision_(single_precision),
+        stopped_by_(vertex_count, kNone),
+        rides_(vertex_count) {}
 
   /// Moves the step's positions_m until nothing crosses. A stopped vertex takes the tool's velocity: its
   /// share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the tool's way less the vertex's
@@ -59,6 +63,7 @@ class PathTruncation {
 
   TruncationCounts counts_;
   std::optional<HalfSpace> ground_;
+  bool single_precision_;
   std::vector<int> stopped_by_;      ///< per vertex: index of the last obstacle that stopped it, or kByGround
   std::vector<std::uint8_t> rides_;  ///< per vertex, 1: what stopped it keeps it where it put it
   std::vector<SweptPair> crossings_;

@@ -19,4 +19,9 @@ struct StepView {
   double dt_s = 0;                          ///< length of the step
 };
 
+/// To what an engine in single precision will make of it.
+inline void roundToSingle(Vec3& point_m) {
+  point_m = point_m.cast<float>().cast<double>();
+}
+
 }  // namespace fissure

@@ -51,6 +51,24 @@ SurfaceFeatures::SurfaceFeatures(const TriangleMesh& mesh, bool flat_edges)
     }
     *std::find(owner.edges.begin(), owner.edges.end(), -1) = static_cast<int>(e);
   }
+  findShells();
+}
+
+void SurfaceFeatures::findShells() {
+  std::vector<std::uint8_t> seen(neighbours_.size());
+  std::vector<int> next;
+  for (const Face& face : faces_) {
+    if (seen[face[0]]) continue;
+    shells_.push_back(face[0]);
+    seen[face[0]] = 1;
+    next.push_back(face[0]);
+    while (!next.empty()) {
+      const int vertex = next.back();
+      next.pop_back();
+      for (const int other : neighbours_[vertex])
+        if (!seen[other]) next.push_back(other), seen[other] = 1;
+    }
+  }
 }
 
 int SurfaceFeatures::opposite(const SurfaceEdge& edge, int side) const {

@@ -39,14 +39,19 @@ class SurfaceFeatures {
     return neighbours_[static_cast<std::size_t>(vertex)];
   }
   const std::vector<int>& facesAt(int vertex) const { return faces_at_[static_cast<std::size_t>(vertex)]; }
+  /// One vertex of each of its shells, parts that no edge joins.
+  const std::vector<int>& shells() const { return shells_; }
   /// The corner of a face beside an edge, `side` 0 or 1, that is not the edge's own.
   int opposite(const SurfaceEdge& edge, int side) const;
 
  private:
+  void findShells();
+
   std::vector<Face> faces_;
   std::vector<SurfaceEdge> edges_;
   std::vector<FaceFeatures> owned_;
   std::vector<std::vector<int>> neighbours_, faces_at_;
+  std::vector<int> shells_;
 };
 
 }  // namespace fissure

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "contact/swept_pairs.h"
@@ -44,8 +45,13 @@ bool SweptPairs::overlap(std::span<const Vec3> at_m) {
     for (std::size_t i = 0; i < 3; ++i)
       if (crosses(a[i], a[(i + 1) % 3], b) || crosses(b[i], b[(i + 1) % 3], a)) return true;
   }
-  return holds(body_, at_m, corners_m_[tool_.faces()[0][0]]) ||
-         (closed_tool_ && holds(tool_, corners_m_, at_m[body_.faces()[0][0]]));
+  const auto holdsAny = [&](const SurfaceFeatures& outer, std::span<const Vec3> vertices_m,
+                            const SurfaceFeatures& inner, std::span<const Vec3> points_m) {
+    return std::any_of(inner.shells().begin(), inner.shells().end(),
+                       [&](int vertex) { return holds(outer, vertices_m, points_m[vertex]); });
+  };
+  return holdsAny(body_, at_m, tool_, corners_m_) ||
+         (closed_tool_ && holdsAny(tool_, corners_m_, body_, at_m));
 }
 
 }  // namespace fissure

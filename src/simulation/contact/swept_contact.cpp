@@ -8,8 +8,9 @@ namespace fissure {
 
 namespace {
 
-constexpr double kNearMargins = 3;    ///< pairs nearer than this many margins are contacts
-constexpr double kSeparation = 0.01;  ///< of a margin: pairs that come nearer than that cross
+constexpr double kNearMargins = 3;       ///< pairs nearer than this many margins are contacts
+constexpr double kLeastMobility = 0.01;  ///< of a contact's point over its most mobile vertex
+constexpr double kSeparation = 0.01;     ///< of a margin: pairs that come nearer than that cross
 
 /// How much of a contact's triangle counts: 1 up to a margin from the tool, 0 from kNearMargins of it on.
 double weightAt(double margins) {
@@ -24,8 +25,8 @@ SweptContact::SweptContact(const Scene& scene, SweptContactSettings settings)
       body_count_(scene.bodies.size()),
       tool_count_(scene.tools.size()),
       face_count_(scene.faceCount()),
-      impulses_(scene.vertexCount(), settings_.sweeps),
-      truncation_(scene.vertexCount(), settings_.ground),
+      impulses_(scene.vertexCount(), settings_.sweeps, kLeastMobility),
+      truncation_(scene.vertexCount(), settings_.ground, settings_.single_precision),
       beside_m_(scene.tools.size(), Vec3::Zero()),
       latest_(scene.vertexCount(), -1) {
   for (std::size_t b = 0; b < body_count_; ++b) {
@@ -87,9 +88,10 @@ void SweptContact::respond(const StepView& step, std::span<const double> inverse
                   inverse_masses, step);
   responders_.clear();
   for (const ContactConstraint& contact : constraints_)
-    responders_.insert(responders_.end(), contact.vertices.begin(),
-                       contact.vertices.begin() + cornersOf(contact.weights));
+    responders_.insert(responders_.end(), contact.vertices.begin(), contact.vertices.end());
   constraints_.resize(sources_.size());
+  if (settings_.single_precision)
+    for (const int vertex : responders_) roundToSingle(step.positions_m[vertex]);
   ++rounds_;
 }
 
@@ -106,6 +108,8 @@ void SweptContact::placeTools(const StepView& step) {
     tools_before_[t].pose.position_m += beside_m_[t];
     tools_now_[t].pose.position_m += beside_m_[t];
   }
+  freeing_steps_ +=
+      std::any_of(beside_m_.begin(), beside_m_.end(), [](const Vec3& way_m) { return !way_m.isZero(0); });
 }
 
 void SweptContact::freeTools(const StepView& step) {

@@ -28,6 +28,7 @@ struct SweptContactSettings {
   /// frictionless.
   std::vector<double> body_frictions, tool_frictions;
   std::optional<HalfSpace> ground;  ///< no value: none of this method's
+  bool single_precision = false;    ///< of the engine: positions are rounded to it before they are checked
 };
 
 /// Wall time of SweptContact's steps so far, seconds.
@@ -72,6 +73,8 @@ class SweptContact {
   const DisplacementCounts& displacementCounts() const { return impulses_.counts(); }
   const TruncationCounts& truncationCounts() const { return truncation_.counts(); }
   long long rounds() const { return rounds_; }
+  /// Steps at whose end a tool that stood in tissue had not come back to its place.
+  long long freeingSteps() const { return freeing_steps_; }
   const SweptTimes& times() const { return times_; }
 
  private:
@@ -106,7 +109,7 @@ class SweptContact {
   PathTruncation truncation_;
   std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
   std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
-  long long rounds_ = 0;
+  long long rounds_ = 0, freeing_steps_ = 0;
   SweptTimes times_;
 
   bool may_overlap_ = true;

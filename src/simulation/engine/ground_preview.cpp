@@ -12,6 +12,7 @@ void GroundPreview::lift(btAlignedObjectArray<btSoftBody*>& bodies) {
       btSoftBody::Node& node = bodies[b]->m_nodes[i];
       const btScalar lift_m = node.m_im > 0 ? std::max(height_m - node.m_x.y(), btScalar(0)) : 0;
       node.m_x.setY(node.m_x.y() + lift_m);
+      node.m_v.setY(node.m_v.y() + lift_m * bodies[b]->m_sst.isdt);  // velocity iterations start from it
       lifts_m_.push_back(lift_m);
     }
 }

@@ -1,5 +1,6 @@
 #include "contact/swept_contact.h"
 #include "engine/after_solve_pipeline.h"
+#include "engine/simulation.h"
 
 namespace fissure {
 
@@ -13,7 +14,8 @@ SweptContactSettings sweptSettings(const PipelineContext& context) {
                                 .time_scales = {},
                                 .body_frictions = {},
                                 .tool_frictions = {},
-                                .ground = {}};
+                                .ground = {},
+                                .single_precision = enginePrecision() == Precision::f32};
   fillBodies(context.scenario, settings);
   if (const std::optional<GroundSettings>& ground = context.scenario.ground)
     settings.ground = HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
@@ -32,7 +34,8 @@ class SweptPipeline : public AfterSolvePipeline<SweptContact> {
             {"rounds", contact_.rounds()},
             {"truncated_steps", contact_.truncationCounts().steps},
             {"truncated_vertices", contact_.truncationCounts().vertices},
-            {"no_room_steps", contact_.truncationCounts().no_room_steps}};
+            {"no_room_steps", contact_.truncationCounts().no_room_steps},
+            {"freeing_steps", contact_.freeingSteps()}};
   }
 
   std::vector<StageTime> stageTimes() const override {

@@ -43,7 +43,7 @@ struct PipelineSettings {
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
   /// How far a contact may move tissue in one step beyond what node and tissue approached in it (METHOD:
   /// feasibility): a tool that starts inside is pushed free over several steps; what it stretched by then
-  /// snaps back as elastic tissue does. > 0
+  /// snaps back as elastic tissue does. Swept: how far such a tool is freed in a step. > 0
   double max_displacement_m = 0.005;
   /// Swept: responses in a step to what crosses a tool after the one to what is near it, 0..10. Each looks for
   /// crossings that the last one left or made; tissue that still crosses a tool then is stopped on its way

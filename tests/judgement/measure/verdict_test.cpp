@@ -78,10 +78,11 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
   truncated.push_back({"truncated_vertices", 9LL});
   EXPECT_EQ(
       only(truncated),
-      "in 4 steps tissue that still crossed a tool after all rounds was stopped on its way (9 vertices)");
+      "in 4 steps tissue that contacts did not hold was stopped on its way (9 vertices)");
   EXPECT_EQ(only(with("no_room_steps", 2LL)),
-            "after 2 steps tools left no room for tissue, which may overlap one");
+            "after 2 steps there was no room for tissue, which may overlap a tool");
   EXPECT_TRUE(remarksOf(with("no_room_steps", 0LL)).empty());
+  EXPECT_EQ(only(with("freeing_steps", 3LL)), "in 3 steps a tool that stood in tissue was on its way out");
   Summary unsound = with("unsound_tissue", std::string("vessel explodes"));
   unsound.push_back({"first_unsound_step", 12LL});
   EXPECT_EQ(only(unsound), "unsound tissue, first in step 12: vessel explodes");

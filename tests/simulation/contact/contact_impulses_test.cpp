@@ -27,8 +27,8 @@ class ContactImpulsesTest : public testing::Test {
         {.vertices = {0, 1, 2}, .weights = weights, .position_m = Vec3::Zero(), .normal = Vec3(0, 1, 0)});
   }
   /// The tool rose by `tool_way_m` in the step.
-  void apply(double tool_way_m = 0, int sweeps = 1) {
-    impulses.emplace(3, sweeps);
+  void apply(double tool_way_m = 0, int sweeps = 1, double least_mobility = 0) {
+    impulses.emplace(3, sweeps, least_mobility);
     const std::vector<ToolState> was = {{.pose = {.position_m = Vec3(0, -tool_way_m, 0)}}};
     const std::vector<ToolState> is(1);
     impulses->apply(constraints, inverse_masses,
@@ -50,6 +50,23 @@ TEST_F(ContactImpulsesTest, AMassThatArrivesIsStoppedAndItsMomentumTaken) {
   EXPECT_NEAR(positions[0].y(), 0, kExact);
   EXPECT_NEAR(motion(0), 0.001, kExact);
   EXPECT_NEAR(total().y(), 0.1 * 0.001, kExact);
+}
+
+// A point that hangs on a fixed vertex and is to be held throws the other one far: not where that is ruled
+// out.
+TEST_F(ContactImpulsesTest, AContactThatCouldOnlyThrowAVertexIsNone) {
+  hold({0.001, 0, 0.999});
+  heights(2, 0.001, -0.001);
+  apply();
+  EXPECT_GT(positions[0].y(), 0.9) << "metres";
+  positions[0] = before[0];
+  apply(0, 1, 0.01);
+  EXPECT_EQ(positions[0], before[0]);
+  EXPECT_EQ(impulses->pushing(), 0);
+  EXPECT_EQ(total(), Vec3::Zero());
+  hold({0.2, 0, 0.8});
+  apply(0, 1, 0.01);
+  EXPECT_GT(total().y(), 0) << "a share of 0.04 of the vertex's mobility";
 }
 
 // Powers of two: the first push is exact, and no later sweep finds anything left.

@@ -217,5 +217,19 @@ TEST(Ground, WhatStartsBelowIsLiftedWithoutMotion) {
   for (const Vec3& motion_m : ball.contact->motion_m()) EXPECT_NEAR(motion_m.norm(), 0, kExact);
 }
 
+// From far above to the ground itself a tool's target changes by no more than half of what its height does.
+TEST(GroundContact, ATargetGivesWayWithoutAJump) {
+  const GroundContact ground(HalfSpace{}, 0.001, {0});
+  double last_m = 0;
+  for (double height_m = 0; height_m < 0.003; height_m += 1e-5) {
+    ContactConstraint contact{
+        .position_m = Vec3(0, height_m, 0), .normal = Vec3(0, -1, 0), .target_m = 0.0005};
+    ground.makeRoomUnder(contact);
+    EXPECT_LE(std::abs(contact.target_m - last_m), 0.51e-5) << height_m;
+    last_m = contact.target_m;
+  }
+  EXPECT_EQ(last_m, 0.0005);
+}
+
 }  // namespace
 }  // namespace fissure::ground_contact_test

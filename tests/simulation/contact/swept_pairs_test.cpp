@@ -249,5 +249,19 @@ TEST(SurfaceOverlap, IsCrossingOrContainment) {
   EXPECT_TRUE(overlaps(0.1, 0)) << "round the tool";
 }
 
+// Of two shells any may be inside: the first one is clear of the other surface.
+TEST(SurfaceOverlap, LooksAtEveryShell) {
+  TriangleMesh two = placed(makeSphere(0.0002, 1), {.position_m = Vec3(0.1, 0, 0)});
+  const TriangleMesh inside = placed(makeSphere(0.0002, 1), {.position_m = Vec3(0.001, 0, 0.002)});
+  const int first = static_cast<int>(two.vertices_m.size());
+  two.vertices_m.insert(two.vertices_m.end(), inside.vertices_m.begin(), inside.vertices_m.end());
+  for (const auto& [a, b, c] : inside.faces) two.faces.push_back({first + a, first + b, first + c});
+  SceneBody box, pair;
+  box.rest = makeBox(Vec3(0.02, 0.002, 0.02));
+  pair.rest = two;
+  EXPECT_TRUE(SweptPairs(toolOf(box.rest), pair).overlap(pair.rest.vertices_m));
+  EXPECT_TRUE(SweptPairs(toolOf(two), box).overlap(box.rest.vertices_m));
+}
+
 }  // namespace
 }  // namespace fissure::swept_pairs_test

@@ -29,6 +29,7 @@ class World {
     double friction = 0;     ///< with the ground
     double slope = 0;        ///< horizontal gravity over the vertical
     double damping = 0;
+    int velocity_iterations = 0;
     double time_scale = 1;
     PipelineKind pipeline = PipelineKind::swept;
     bool ground = true;
@@ -49,6 +50,7 @@ class World {
     body.solver.pose_matching = 0.02;
     body.solver.position_iterations = 10;
     body.solver.damping = settings.damping;
+    body.solver.velocity_iterations = settings.velocity_iterations;
     body.solver.time_scale = settings.time_scale;
     body.solver.dynamic_friction = kBodyFriction;
     scenario.bodies = {body};
@@ -114,6 +116,13 @@ TEST(Ground, ARestingBodyWeighsItsWeightToAMillionth) {
     EXPECT_EQ(world.state().contact.reaction_on_tool_N, Vec3::Zero());
     EXPECT_EQ(world.state().contact.contact_count, 0);
   }
+}
+
+// Bullet's velocity iterations put positions anew from velocities: the ground it is shown must be in both.
+TEST(Ground, ARestingBodyWeighsItsWeightWithVelocityIterationsToo) {
+  World world({.shape = kBlock, .height_m = 0.01, .damping = 0.5, .velocity_iterations = 1});
+  for (int i = 0; i < 3000; ++i) world.step();
+  EXPECT_NEAR(world.onGround_N().y(), -kWeight_N, 1e-6 * kWeight_N);
 }
 
 class GroundTimeScale : public testing::TestWithParam<double> {};
