@@ -88,8 +88,8 @@ void addStepCases() {
     }
   }
   for (const int subdivisions : {4, 5}) {  // plate_press has 3
-    const Scenario scenario =
-        configuredScenario("plate_press", {{"bodies.sphere.shape.subdivisions", std::to_string(subdivisions)}});
+    const Scenario scenario = configuredScenario(
+        "plate_press", {{"bodies.sphere.shape.subdivisions", std::to_string(subdivisions)}});
     const std::string triangles = std::to_string(8 << 2 * subdivisions);
     for (const PipelineSettings& pipeline : scenario.pipelines)
       if (pipeline.name == "default_tuned" || pipeline.name == "swept")

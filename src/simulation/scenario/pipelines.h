@@ -45,8 +45,9 @@ struct PipelineSettings {
   /// feasibility): a tool that starts inside is pushed free over several steps; what it stretched by then
   /// snaps back as elastic tissue does. Swept: how far such a tool is freed in a step. > 0
   double max_displacement_m = 0.005;
-  /// Swept: responses in a step to what crosses a tool after the one to what is near it, 0..10. Each looks for
-  /// crossings that the last one left or made; tissue that still crosses a tool then is stopped on its way
+  /// Swept: responses in a step to what crosses a tool after the one to what is near it, 0..10. Each looks
+  /// for crossings that the last one left or made; tissue that still crosses a tool then is stopped on its
+  /// way
   /// (`truncated_steps` of the summary). 0: no response at all.
   int rounds = 4;
 

@@ -76,9 +76,8 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
   EXPECT_NE(only(with("oblique_steps", 7LL)).find("in 7 steps a blade moves obliquely"), std::string::npos);
   Summary truncated = with("truncated_steps", 4LL);
   truncated.push_back({"truncated_vertices", 9LL});
-  EXPECT_EQ(
-      only(truncated),
-      "in 4 steps tissue that contacts did not hold was stopped on its way (9 vertices)");
+  EXPECT_EQ(only(truncated),
+            "in 4 steps tissue that contacts did not hold was stopped on its way (9 vertices)");
   EXPECT_EQ(only(with("no_room_steps", 2LL)),
             "after 2 steps there was no room for tissue, which may overlap a tool");
   EXPECT_TRUE(remarksOf(with("no_room_steps", 0LL)).empty());
