@@ -14,7 +14,7 @@ struct SweepEstimate {
   std::optional<double> one_s;  ///< wall time of a simulation; nothing where none could be timed
   double bytes = 0;             ///< on disk, of these tasks
 
-  /// Of `tasks` on so many workers side by side.
+  /// Wall time of that many tasks when `slots` workers run them side by side.
   double total_s(std::size_t tasks, int slots) const;
 };
 

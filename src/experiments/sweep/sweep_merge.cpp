@@ -20,7 +20,8 @@ namespace fissure {
 
 namespace {
 
-/// Of one task, what its rows need: not the numbers themselves, of which a task with many laws has many.
+/// What the table needs to write the rows of one task. The numbers themselves are read when a row is written,
+/// as a task with many laws has many.
 struct TaskRows {
   SweepState::Head head;
   std::vector<std::size_t> columns;  ///< of the table's metrics, in the task's names; their number: has none
@@ -119,7 +120,8 @@ SweepTableLayout layoutOf(const SweepPlan& plan, std::vector<SweepMetric> metric
 constexpr const char* misfit_metric = "misfit_N";
 constexpr const char* offset_metric = "misfit_F0_N";
 
-/// Of the sweep's measured curve, which is read from a copy in `work`.
+/// How far runs are from the sweep's measured curve, which is read from a copy in `work`; no value without a
+/// fit.
 std::optional<SweepMisfit> misfitOf(const SweepPlan& plan, const std::filesystem::path& work) {
   const SweepManifest& manifest = plan.manifest();
   if (!manifest.settings.fit) return std::nullopt;

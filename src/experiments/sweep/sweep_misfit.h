@@ -18,8 +18,9 @@ class SweepMisfit {
   /// InputError about the file, also when it lacks what the fit compares.
   SweepMisfit(const SweepFit& fit, const std::vector<std::string>& laws, const std::filesystem::path& file);
 
-  /// Of one run: `force_N` law by law and `way_m`, the curves force and indentation over `time_s`; without
-  /// `way_m` where times are compared. NaN where the run does not reach all measured points.
+  /// The misfit of one run from its curves over `time_s`: `force_N`, one law after the other, and `way_m`,
+  /// the indentation, which is empty where times are compared. NaN where the run does not reach all measured
+  /// points.
   Misfit of(const std::vector<double>& time_s, std::span<const double> force_N,
             std::span<const double> way_m) const;
 
