@@ -7,8 +7,8 @@
 
 namespace fissure {
 
-/// Corner indices of a tetrahedron: seen from the fourth corner, the first three run clockwise, so that its
-/// volume dot(b - a, cross(c - a, d - a)) / 6 is positive.
+/// Corner indices of a tetrahedron: seen from the fourth corner, the first three run counter-clockwise, so
+/// that its volume dot(b - a, cross(c - a, d - a)) / 6 is positive.
 using Tetrahedron = std::array<int, 4>;
 
 /// A volume of linear tetrahedra, metres. Its first vertices are those of its surface, in the surface's own
