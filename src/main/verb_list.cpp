@@ -34,9 +34,12 @@ std::string defaultsOf(const ForceLawEntry& law) {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 22> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 25> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {tissues_title, tables.tissues},
+                                        {"body models", tables.body_models},
+                                        {"elastic materials", tables.elastic_materials},
+                                        {"elastic presets", tables.elastic_presets},
                                         {"body shapes", tables.body_shapes},
                                         {"tool shapes", tables.tool_shapes},
                                         {"node placements", tables.node_placements},

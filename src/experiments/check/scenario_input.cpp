@@ -55,7 +55,7 @@ void checkFixed(const std::string& file, const BodySettings& body, const Triangl
                        where + "." + std::to_string(i) +
                            " holds no vertex of the body as it is placed, expected at least one");
   }
-  if (fixedVertices(body, rest).size() == rest.vertices_m.size())
+  if (fixedVertices(body, rest.vertices_m).size() == rest.vertices_m.size())
     throw InputError(inFile(file), where + " holds every vertex of the body, expected some that can move");
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "base/tetrahedra.h"
 #include "base/tool_nodes.h"
 
 namespace fissure {
@@ -14,6 +15,12 @@ namespace fissure {
 struct Gauge {
   std::string name;
   std::vector<int> vertices;  ///< of its body, at least one
+};
+
+/// The inside of an elastic body as placed at time zero.
+struct SceneVolume {
+  TetrahedralMesh mesh;             ///< in the scene's frame; its first vertices are the body's surface
+  std::vector<int> fixed_vertices;  ///< of the mesh, ascending: they never move
 };
 
 /// A soft body as placed at time zero.
@@ -25,7 +32,8 @@ struct SceneBody {
   int first_face = 0;
   std::vector<int> fixed_vertices = {};  ///< of this body, ascending: they never move
   std::vector<Gauge> gauges = {};
-  std::vector<std::string> repairs;  ///< what was repaired of its file's surface, a line each
+  std::optional<SceneVolume> volume = {};  ///< of an elastic body
+  std::vector<std::string> repairs;        ///< what was repaired of its file's surface, a line each
 };
 
 /// A rigid, kinematic tool, in its own frame.

@@ -75,6 +75,20 @@ struct ContactOutcome {
   std::optional<Vec3> ground_reaction_N;
 };
 
+/// What the inside of an elastic body adds to its surface's state, and where its energy is. The sums since
+/// settling ended: kinetic + stored + gravity + losses - contact work stays what it was.
+struct VolumeState {
+  Vec3 momentum_kg_m_s = Vec3::Zero();  ///< of all vertices
+  double kinetic_J = 0;                 ///< of all vertices
+  double stored_J = 0;                  ///< elastic; 0 at rest
+  double gravity_J = 0;                 ///< potential; 0 at rest
+  double viscous_loss_J = 0;            ///< sum over the run, as what follows
+  double mass_damping_loss_J = 0;
+  double contact_work_J = 0;  ///< that contacts did on the tissue
+  int substeps = 0;           ///< of the step
+  int inverted_elements = 0;  ///< tetrahedra turned inside out
+};
+
 /// Everything one step leaves behind, engine-neutral. Arrays run over all bodies (vertices) or all tools
 /// (nodes), concatenated in the Scene's order. One object lives through a run and is overwritten by every
 /// step.
@@ -89,7 +103,8 @@ struct State {
   std::vector<CouplingState> couplings;
 
   ContactOutcome contact;
-  std::vector<ForceSample> forces;  ///< one a force law, in the scenario's order
+  std::optional<VolumeState> volume;  ///< of the elastic body, where there is one
+  std::vector<ForceSample> forces;    ///< one a force law, in the scenario's order
   std::vector<Vec3> tool_forces_N;  ///< on each tool: law x number of tools + tool; they sum up to the law's
   /// With at least one vertex in a colliding state: indices over all bodies, ascending; empty without force
   /// laws. What each gives the tools together: triangle x number of laws + law.

@@ -52,6 +52,10 @@ void BodyProbe::sample(const State& state, RecordRow& row) {
     energy_J += 0.5 * state.masses_kg[i] * state.velocities_m_s[i].squaredNorm();
     momentum += state.masses_kg[i] * state.velocities_m_s[i];
   }
+  if (state.volume) {  // the vertices inside too
+    energy_J = state.volume->kinetic_J;
+    momentum = state.volume->momentum_kg_m_s;
+  }
   row[energy_column_] = energy_J;
   writeVector(momentum, momentum_column_, row);
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

@@ -45,8 +45,7 @@ const PipelineFactory& pipelineFactory(PipelineKind kind);
 
 std::unique_ptr<Pipeline> makeSdfPipeline(const PipelineContext& context);
 std::unique_ptr<Pipeline> makeClusterPipeline(const PipelineContext& context);
-std::unique_ptr<Pipeline> makeNodePipeline(const PipelineContext& context);
-std::unique_ptr<Pipeline> makeSweptPipeline(const PipelineContext& context);
+std::unique_ptr<Pipeline> makeMethodPipeline(const PipelineContext& context);
 std::unique_ptr<Pipeline> makePrescribedPipeline(const PipelineContext& context);
 std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> makeDelegatingConfiguration();
 

@@ -3,11 +3,12 @@
 #include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "base/error.h"
-#include "contact/triangle_forces.h"
 #include "engine/pipeline.h"
 #include "scenario/catalog.h"
+#include "stepping/stepped_state.h"
 
 namespace fissure {
 
@@ -17,9 +18,9 @@ constexpr auto factories = std::to_array<PipelineFactory>({
     {PipelineKind::default_sdf, nullptr, &makeSdfPipeline},
     {PipelineKind::null_sdf, &makeDelegatingConfiguration, &makeSdfPipeline},
     {PipelineKind::cluster, nullptr, &makeClusterPipeline},
-    {PipelineKind::raycast, nullptr, &makeNodePipeline},
-    {PipelineKind::fukuhara, nullptr, &makeNodePipeline},
-    {PipelineKind::swept, nullptr, &makeSweptPipeline},
+    {PipelineKind::raycast, nullptr, &makeMethodPipeline},
+    {PipelineKind::fukuhara, nullptr, &makeMethodPipeline},
+    {PipelineKind::swept, nullptr, &makeMethodPipeline},
     {PipelineKind::prescribed, nullptr, &makePrescribedPipeline},
 });
 
@@ -54,16 +55,6 @@ std::string engineVersion() {
 
 namespace {
 
-std::vector<TriangleLaw> makeLaws(const std::vector<ForceSettings>& settings) {
-  std::vector<TriangleLaw> laws;
-  for (const ForceSettings& law : settings)
-    laws.push_back({.law = ForceLaw(law.model, law.coefficients),
-                    .rate = law.rate,
-                    .deformation = law.deformation,
-                    .per_area = law.per_area});
-  return laws;
-}
-
 std::vector<double> masses(const Scene& scene, const std::vector<double>& inverse_masses) {
   std::vector<double> masses_kg;
   for (const double inverse_mass : inverse_masses) masses_kg.push_back(1 / inverse_mass);
@@ -81,71 +72,42 @@ class BulletSimulation : public Simulation {
  public:
   BulletSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
                    const std::vector<Pose>& first_poses)
-      : step_s_(scenario.time.step_s) {
-    const PipelineFactory& factory = pipelineFactory(settings.pipeline);
-    world_ = std::make_unique<BulletWorld>(scenario, settings, scene,
-                                           factory.configuration ? factory.configuration() : nullptr);
-    pipeline_ = factory.make({scenario, settings, scene, *world_, first_poses});
-    if (!scenario.force.empty())
-      forces_ = std::make_unique<TriangleForces>(scene, makeLaws(scenario.force), step_s_,
-                                                 scenario.record.force_inputs);
-    for (const Pose& pose : first_poses) state_.tools.push_back({.pose = pose});
-    patch_.resize(scene.vertexCount(), scene.faceCount(), scenario.force.empty() ? 0 : scene.tools.size());
-    patch_.clear();
-    state_.positions_m.resize(scene.vertexCount());
-    state_.velocities_m_s.resize(scene.vertexCount());
-    state_.masses_kg = masses(scene, world_->inverseMasses());
-    state_.contact.node_states.assign(scene.nodeCount(), NodeState::free);
-    state_.contact.tool_reactions_N.assign(scene.tools.size() > 1 ? scene.tools.size() : 0, Vec3::Zero());
-    state_.forces.assign(scenario.force.size(), ForceSample{});
-    state_.tool_forces_N.assign(scenario.force.size() * scene.tools.size(), Vec3::Zero());
+      : factory_(pipelineFactory(settings.pipeline)),
+        world_(scenario, settings, scene, factory_.configuration ? factory_.configuration() : nullptr),
+        pipeline_(factory_.make({scenario, settings, scene, world_, first_poses})),
+        stepped_(scenario, scene, first_poses, masses(scene, world_.inverseMasses())) {
     collect();
   }
 
   void step(const std::vector<Pose>& poses) override {
-    before_ = state_.tools;
-    for (std::size_t t = 0; t < poses.size(); ++t) {
-      ToolState& tool = state_.tools[t];
-      const Eigen::AngleAxisd turn(poses[t].orientation * tool.pose.orientation.conjugate());
-      tool.velocity_m_s = (poses[t].position_m - tool.pose.position_m) / step_s_;
-      tool.angular_velocity_rad_s = turn.axis() * (turn.angle() / step_s_);
-      tool.pose = poses[t];
-    }
-    pipeline_->moveTools(before_, state_.tools);
-    world_->step();
-    pipeline_->report(state_, patch_);
+    stepped_.beginStep(poses);
+    pipeline_->moveTools(stepped_.toolsBefore(), state().tools);
+    world_.step();
+    pipeline_->report(state(), stepped_.patch());
     collect();
-    if (!forces_) return;
-    StageClock clock;
-    forces_->evaluate(patch_, state_);
-    clock.lap(forces_s_);
+    stepped_.endStep();
   }
 
-  State& state() override { return state_; }
-  const State& state() const override { return state_; }
+  State& state() override { return stepped_.state(); }
+  const State& state() const override { return stepped_.state(); }
   Summary counters() const override { return pipeline_->counters(); }
   std::vector<StageTime> stageTimes() const override {
-    std::vector<StageTime> stages = world_->stageTimes();
+    std::vector<StageTime> stages = world_.stageTimes();
     for (StageTime& stage : pipeline_->stageTimes()) stages.push_back(std::move(stage));
-    if (forces_) stages.push_back({"force_laws", forces_s_});
+    stepped_.addStageTimes(stages);
     return stages;
   }
 
  private:
   void collect() {
-    world_->readPositions(state_.positions_m);
-    world_->readVelocities(state_.velocities_m_s);
-    state_.contact.vertex_contact = patch_.vertex_contact;
+    world_.readPositions(state().positions_m);
+    world_.readVelocities(state().velocities_m_s);
   }
 
-  double step_s_;
-  std::unique_ptr<BulletWorld> world_;
+  const PipelineFactory& factory_;
+  BulletWorld world_;
   std::unique_ptr<Pipeline> pipeline_;
-  std::unique_ptr<TriangleForces> forces_;
-  std::vector<ToolState> before_;
-  ContactPatch patch_;
-  double forces_s_ = 0;
-  State state_;
+  SteppedState stepped_;
 };
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include "base/frame_text.h"
 #include "base/steps.h"
+#include "engine/simulation.h"
+#include "explicit/elastic_simulation.h"
 #include "motion/jaw_poses.h"
 #include "scenario/rigid_tools.h"
 #include "scene/build_scene.h"
@@ -25,7 +27,7 @@ bool isUsable(const Vec3& position_m) {
 
 /// NaN and infinity are none.
 bool hasFiniteEnergy(const State& state) {
-  double energy_J = 0;
+  double energy_J = state.volume ? state.volume->kinetic_J : 0;
   for (std::size_t i = 0; i < state.masses_kg.size(); ++i)
     energy_J += 0.5 * state.masses_kg[i] * state.velocities_m_s[i].squaredNorm();
   return std::isfinite(energy_J);
@@ -79,8 +81,13 @@ Run::Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedSce
   const double duration_s = scenario.time.duration_s.value_or(prepared_.longestMotion_s());
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
-  simulation_ = makeSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
+  simulation_ = isElastic() ? makeElasticSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0))
+                            : makeSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
   makeCouplings();
+}
+
+bool Run::isElastic() const {
+  return prepared_.scene.bodies.at(0).volume.has_value();
 }
 
 void Run::makeCouplings() {
@@ -199,7 +206,7 @@ RunStatus Run::execute(const Outputs& outputs) {
     if (outputs.progress) outputs.progress(settling_steps_ + step, total);
   }
 
-  Summary summary = {{"provenance/engine_version", engineVersion()}};
+  Summary summary = {{"provenance/engine_version", isElastic() ? elasticEngineVersion() : engineVersion()}};
   if (frames) {
     for (const auto& [name, value] : frames->versions()) summary.push_back({"provenance/" + name, value});
   }

@@ -8,10 +8,10 @@
 #include "base/probe.h"
 #include "base/record_sink.h"
 #include "base/scene.h"
-#include "engine/simulation.h"
 #include "motion/virtual_coupling.h"
 #include "scenario/scenario.h"
 #include "scene/prepared_scenario.h"
+#include "stepping/simulation.h"
 
 namespace fissure {
 
@@ -42,6 +42,7 @@ class Run {
   RunStatus execute(const Outputs& outputs);
 
  private:
+  bool isElastic() const;
   std::vector<Pose> posesAt(double time_s) const;
   void makeCouplings();
   void moveCoupled(std::vector<Pose>& poses);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/geometry.h"
+#include "scenario/elastic.h"
 #include "scenario/shapes.h"
 
 namespace fissure {
@@ -103,7 +104,8 @@ struct GaugeSettings {
   bool operator==(const GaugeSettings&) const = default;
 };
 
-/// A soft body: Bullet's spring shell over a closed triangle surface.
+/// A soft body over a closed triangle surface: Bullet's spring shell, or finite elements inside. Fields from
+/// mass_kg to pose_frame but margin_m, soft_contact, material, solver and clusters are the shell's.
 struct BodySettings {
   std::string name;
   SurfaceShape shape;
@@ -122,6 +124,14 @@ struct BodySettings {
   SolverSettings solver;
   ClusterSettings clusters;
   std::vector<GaugeSettings> gauges;
+  BodyModel model = BodyModel::shell;
+  ElasticSettings elastic;
+
+  bool isElastic() const { return model == BodyModel::elastic; }
+  /// Coulomb's coefficient of the tissue; times that of what it touches.
+  double friction() const { return isElastic() ? elastic.friction : solver.dynamic_friction; }
+  /// The body's own time over the scene's.
+  double timeScale() const { return isElastic() ? 1 : solver.time_scale; }
 
   bool operator==(const BodySettings&) const = default;
 };

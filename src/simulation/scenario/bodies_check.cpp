@@ -1,5 +1,6 @@
 #include <string>
 
+#include "scenario/catalog.h"
 #include "scenario/checker.h"
 
 namespace fissure {
@@ -76,6 +77,7 @@ void checkBody(Checker check, const BodySettings& body) {
   material.between("volume_stiffness", body.material.volume_stiffness, 0, 1);
   for (std::size_t i = 0; i < body.fixed.size(); ++i)
     checkFixed(check.in("fixed." + std::to_string(i)), body.fixed[i]);
+  if (body.isElastic()) checkElastic(check.in("elastic"), body.elastic);
   checkSolver(check.in("solver"), body.solver);
   checkClusters(check.in("clusters"), body.clusters);
 }

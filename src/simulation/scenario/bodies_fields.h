@@ -71,23 +71,40 @@ void describe(Io& io, GaugeSettings& g) {
 }
 
 template <class Io>
+void describe(Io& io, ElasticSettings& e) {
+  io.choice("preset", e.preset, catalog().elastic_presets);
+  io.whileReading([&] { applyPreset(e); });
+  io.choice("material", e.material, catalog().elastic_materials);
+  io.field("youngs_modulus_Pa", e.youngs_modulus_Pa);
+  io.field("poissons_ratio", e.poissons_ratio);
+  io.field("density_kg_m3", e.density_kg_m3);
+  io.field("viscosity_Pa_s", e.viscosity_Pa_s);
+  io.field("mass_damping_1_s", e.mass_damping_1_s);
+  io.field("friction", e.friction);
+}
+
+template <class Io>
 void describe(Io& io, BodySettings& b) {
   io.required("name", b.name);
   io.tagged("shape", b.shape, catalog().body_shapes);
   io.field("position_m", b.position_m);
   io.field("orientation", b.orientation);
-  io.field("mass_kg", b.mass_kg);
-  io.field("mass_from_faces", b.mass_from_faces);
+  io.choice("model", b.model, catalog().body_models);
+  const bool shell = !b.isElastic();
+  const char* const of_shell = "model shell";
+  io.fieldIf(shell, of_shell, "mass_kg", b.mass_kg);
+  io.fieldIf(shell, of_shell, "mass_from_faces", b.mass_from_faces);
   io.field("margin_m", b.margin_m);
-  io.field("bending_distance", b.bending_distance);
-  io.field("randomize_links", b.randomize_links);
-  io.field("pose_volume", b.pose_volume);
-  io.field("pose_frame", b.pose_frame);
-  io.choice("soft_contact", b.soft_contact, catalog().soft_contacts);
+  io.fieldIf(shell, of_shell, "bending_distance", b.bending_distance);
+  io.fieldIf(shell, of_shell, "randomize_links", b.randomize_links);
+  io.fieldIf(shell, of_shell, "pose_volume", b.pose_volume);
+  io.fieldIf(shell, of_shell, "pose_frame", b.pose_frame);
+  io.choiceIf(shell, of_shell, "soft_contact", b.soft_contact, catalog().soft_contacts);
   io.field("fixed", b.fixed);
-  io.field("material", b.material);
-  io.field("solver", b.solver);
-  io.field("clusters", b.clusters);
+  io.fieldIf(b.isElastic(), "model elastic", "elastic", b.elastic);
+  io.fieldIf(shell, of_shell, "material", b.material);
+  io.fieldIf(shell, of_shell, "solver", b.solver);
+  io.fieldIf(shell, of_shell, "clusters", b.clusters);
   io.field("gauges", b.gauges);
 }
 

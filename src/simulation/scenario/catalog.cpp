@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "law/force_law.h"
+#include "scenario/elastic.h"
 #include "scenario/motions.h"
 #include "scenario/pipeline_table.h"
 #include "scenario/shapes.h"
@@ -32,6 +33,13 @@ const Catalog& catalog() {
       .pipelines = entriesOf(pipeline_table),
       .force_laws = entriesOf(forceLaws()),
       .tissues = entriesOf(tissues()),
+      .body_models = {{"shell",
+                       "Bullet's springs along the surface's edges: no modulus, forces have no size"},
+                      {"elastic",
+                       "finite elements over the volume, with Young's modulus: forces in newtons"}},
+      .elastic_materials = {{"neo_hookean", "stable neo-Hookean (Smith, de Goes and Kim 2018), large strain"},
+                            {"linear_corotated", "Hooke's law after the element's rotation, small strain"}},
+      .elastic_presets = entriesOf(elasticPresets()),
       .body_shapes = entriesOf(SurfaceShape(), &ShapeText::as_body),
       .tool_shapes = entriesOf(SurfaceShape(), &ShapeText::as_tool),
       .clamp_openings = {{"parallel", "both jaws slide apart; openings in metres"},

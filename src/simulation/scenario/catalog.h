@@ -19,6 +19,9 @@ struct Catalog {
   std::vector<CatalogEntry> pipelines;  ///< those of pipeline_table
   std::vector<CatalogEntry> force_laws;
   std::vector<CatalogEntry> tissues;
+  std::vector<CatalogEntry> body_models;
+  std::vector<CatalogEntry> elastic_materials;
+  std::vector<CatalogEntry> elastic_presets;
   std::vector<CatalogEntry> body_shapes;
   std::vector<CatalogEntry> tool_shapes;
   std::vector<CatalogEntry> clamp_openings;

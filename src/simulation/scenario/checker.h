@@ -62,6 +62,9 @@ void checkOpenings(Checker check, const ScriptMotion& motion, const std::optiona
 void checkOpenings(Checker check, const ReplayMotion& motion, const std::optional<ClampSettings>& clamp);
 void checkJawNames(Checker check, const std::vector<ToolSettings>& tools);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
+void checkElastic(Checker check, const ElasticSettings& elastic);
+/// Relations of an elastic body with the rest of the scenario.
+void checkElasticScene(Checker check, const Scenario& scenario);
 void checkForce(Checker check, const ForceSettings& force);
 void checkRecord(Checker check, const RecordSettings& record);
 void checkExpectations(Checker check, const Scenario& scenario);

@@ -152,6 +152,7 @@ void checkRelations(Checker check, const Scenario& scenario) {
   checkFriction(check.in("tools"), scenario);
   checkJawNames(check.in("tools"), scenario.tools);
   checkCouplings(check.in("tools"), scenario);
+  checkElasticScene(check, scenario);
   checkSummaryKeys(check, scenario);
   checkAmounts(check.in("record"), scenario, duration_s);
 }

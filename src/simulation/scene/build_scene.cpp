@@ -76,7 +76,8 @@ Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& 
         .name = body.name, .rest = placeBody(body, files), .repairs = repairsOf(body.shape, files)};
     placed.first_vertex = scene.vertexCount();
     placed.first_face = scene.faceCount();
-    placed.fixed_vertices = fixedVertices(body, placed.rest);
+    placed.fixed_vertices = fixedVertices(body, placed.rest.vertices_m);
+    if (body.isElastic()) placed.volume = placeVolume(body);
     for (const GaugeSettings& gauge : body.gauges)
       placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
     scene.bodies.push_back(std::move(placed));

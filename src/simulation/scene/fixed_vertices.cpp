@@ -15,10 +15,10 @@ bool holds(const FixedRegion& region, const Vec3& point_m) {
 }
 
 template <class Region>
-std::vector<int> verticesHeldBy(const Region& region, const TriangleMesh& rest) {
+std::vector<int> verticesHeldBy(const Region& region, std::span<const Vec3> vertices_m) {
   std::vector<int> inside;
-  for (std::size_t v = 0; v < rest.vertices_m.size(); ++v) {
-    if (holds(region, rest.vertices_m[v])) inside.push_back(static_cast<int>(v));
+  for (std::size_t v = 0; v < vertices_m.size(); ++v) {
+    if (holds(region, vertices_m[v])) inside.push_back(static_cast<int>(v));
   }
   return inside;
 }
@@ -26,17 +26,17 @@ std::vector<int> verticesHeldBy(const Region& region, const TriangleMesh& rest) 
 }  // namespace
 
 std::vector<int> verticesIn(const FixedRegion& region, const TriangleMesh& rest) {
-  return verticesHeldBy(region, rest);
+  return verticesHeldBy(region, rest.vertices_m);
 }
 
 std::vector<int> verticesIn(const BoxRegion& box, const TriangleMesh& rest) {
-  return verticesHeldBy(box, rest);
+  return verticesHeldBy(box, rest.vertices_m);
 }
 
-std::vector<int> fixedVertices(const BodySettings& body, const TriangleMesh& rest) {
+std::vector<int> fixedVertices(const BodySettings& body, std::span<const Vec3> vertices_m) {
   std::set<int> fixed;
   for (const FixedRegion& region : body.fixed) {
-    const std::vector<int> inside = verticesIn(region, rest);
+    const std::vector<int> inside = verticesHeldBy(region, vertices_m);
     fixed.insert(inside.begin(), inside.end());
   }
   return {fixed.begin(), fixed.end()};

@@ -2,6 +2,8 @@
 
 #include "mesh/lobes.h"
 #include "mesh/primitives.h"
+#include "mesh/tetrahedra.h"
+#include "scene/fixed_vertices.h"
 
 namespace fissure {
 namespace {
@@ -26,6 +28,12 @@ TriangleMesh makeShape(const FileShape& shape, const SurfaceFiles& files) {
   return files.surface(shape).mesh;
 }
 
+void moveTo(const BodySettings& body, std::vector<Vec3>& vertices_m) {
+  // Written quaternions are rounded: without this a body would shrink or grow by the rounding.
+  const Pose pose{body.position_m, body.orientation.normalized()};
+  for (Vec3& vertex_m : vertices_m) vertex_m = pose.toScene(vertex_m);
+}
+
 }  // namespace
 
 TriangleMesh makeSurface(const SurfaceShape& shape, const SurfaceFiles& files) {
@@ -34,10 +42,15 @@ TriangleMesh makeSurface(const SurfaceShape& shape, const SurfaceFiles& files) {
 
 TriangleMesh placeBody(const BodySettings& body, const SurfaceFiles& files) {
   TriangleMesh placed = makeSurface(body.shape, files);
-  // Written quaternions are rounded: without this a body would shrink or grow by the rounding.
-  const Pose pose{body.position_m, body.orientation.normalized()};
-  for (Vec3& vertex : placed.vertices_m) vertex = pose.toScene(vertex);
+  moveTo(body, placed.vertices_m);
   return placed;
+}
+
+SceneVolume placeVolume(const BodySettings& body) {
+  SceneVolume volume{.mesh = makeTetrahedra(body.shape).value(), .fixed_vertices = {}};
+  moveTo(body, volume.mesh.vertices_m);
+  volume.fixed_vertices = fixedVertices(body, volume.mesh.vertices_m);
+  return volume;
 }
 
 }  // namespace fissure

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "base/geometry.h"
+#include "base/scene.h"
 #include "mesh/file_surface.h"
 #include "scenario/bodies.h"
 
@@ -14,5 +14,9 @@ TriangleMesh makeSurface(const SurfaceShape& shape, const SurfaceFiles& files = 
 /// orientation about its own origin, then moved to the body's position. Triangles given as arrays keep their
 /// order and indices.
 TriangleMesh placeBody(const BodySettings& body, const SurfaceFiles& files = SurfaceFiles("."));
+
+/// The volume of an elastic body likewise, and which of its vertices are fixed; its first vertices are those
+/// of placeBody. The body's shape must have a volume (hasTetrahedra).
+SceneVolume placeVolume(const BodySettings& body);
 
 }  // namespace fissure

@@ -37,7 +37,7 @@ class Fissure {
     scenario_.tools.resize(1);
     scenario_.tools[0].shape = BoxShape{size_m};
     scene_.bodies.push_back({.name = body.name, .rest = placeBody(body)});
-    scene_.bodies[0].fixed_vertices = fixedVertices(body, scene_.bodies[0].rest);
+    scene_.bodies[0].fixed_vertices = fixedVertices(body, scene_.bodies[0].rest.vertices_m);
     scene_.tools.push_back({.name = "blade", .surface = makeBox(size_m), .box_size_m = size_m});
     scene_.tools[0].nodes = makeGridNodes(size_m, {12, 8});
     simulation_ = makeSimulation(

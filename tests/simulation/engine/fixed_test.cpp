@@ -30,7 +30,7 @@ Scene sceneOf(const Scenario& scenario) {
   Scene scene;
   for (const BodySettings& body : scenario.bodies) {
     scene.bodies.push_back({.name = body.name, .rest = placeBody(body), .first_vertex = scene.vertexCount()});
-    scene.bodies.back().fixed_vertices = fixedVertices(body, scene.bodies.back().rest);
+    scene.bodies.back().fixed_vertices = fixedVertices(body, scene.bodies.back().rest.vertices_m);
   }
   for (const ToolSettings& tool : scenario.tools) {
     scene.tools.push_back({.surface = makeSurface(tool.shape),

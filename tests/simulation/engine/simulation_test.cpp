@@ -375,7 +375,7 @@ TEST(Simulation, BodiesInPiecesMeetOthers) {
     const PipelineSettings entry{.name = "default", .pipeline = PipelineKind::default_sdf};
     Scene scene = sceneOf(scenario, false);
     for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-      scene.bodies[b].fixed_vertices = fixedVertices(scenario.bodies[b], scene.bodies[b].rest);
+      scene.bodies[b].fixed_vertices = fixedVertices(scenario.bodies[b], scene.bodies[b].rest.vertices_m);
     auto simulation = makeSimulation(scenario, entry, scene, {});
     for (int i = 0; i < 120; ++i) simulation->step({});
     double lowest_m = 1;

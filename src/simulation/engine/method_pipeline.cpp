@@ -1,36 +1,23 @@
-#pragma once
-
-#include <algorithm>
 #include <chrono>
 #include <utility>
-#include <vector>
 
 #include "base/stage_times.h"
 #include "engine/pipeline.h"
+#include "engine/simulation.h"
+#include "stepping/contact_method.h"
 
 namespace fissure {
 
-/// What settings of a contact method of ours say of bodies and tools.
-template <class Settings>
-void fillBodies(const Scenario& scenario, Settings& settings) {
-  for (const BodySettings& body : scenario.bodies) {
-    settings.margins_m.push_back(body.margin_m);
-    settings.time_scales.push_back(body.solver.time_scale);
-    settings.body_frictions.push_back(body.solver.dynamic_friction);
-  }
-  const std::vector<ToolSettings>& tools = scenario.tools;
-  if (std::any_of(tools.begin(), tools.end(), [](const ToolSettings& tool) { return tool.friction > 0; })) {
-    for (const ToolSettings& tool : tools) settings.tool_frictions.push_back(tool.friction);
-  }
-}
+namespace {
 
 /// A contact method of ours after Bullet's own solve; the tools are no bodies of Bullet's world.
-template <class Contact>
-class AfterSolvePipeline : public Pipeline {
+class MethodPipeline : public Pipeline {
  public:
-  template <class Settings>
-  AfterSolvePipeline(const PipelineContext& context, Settings settings)
-      : contact_(context.scene, std::move(settings)),
+  explicit MethodPipeline(const PipelineContext& context)
+      : method_(makeContactMethod({.scenario = context.scenario,
+                                   .settings = context.settings,
+                                   .scene = context.scene,
+                                   .precision = enginePrecision()})),
         world_(context.world),
         step_s_(context.scenario.time.step_s),
         inverse_masses_(context.world.inverseMasses()),
@@ -53,9 +40,13 @@ class AfterSolvePipeline : public Pipeline {
     std::swap(patch, patch_);
   }
 
- protected:
-  Contact contact_;
-  double transfer_s_ = 0;  ///< of positions and motion between Bullet and the method, so far
+  Summary counters() const override { return method_->counters(); }
+
+  std::vector<StageTime> stageTimes() const override {
+    std::vector<StageTime> stages = method_->stageTimes();
+    stages.push_back({"transfer", transfer_s_});
+    return stages;
+  }
 
  private:
   void afterSolve() {
@@ -63,7 +54,7 @@ class AfterSolvePipeline : public Pipeline {
     StageClock clock;
     world_.readPositions(positions_m_);
     clock.lap(transfer_s_);
-    contact_.step({.positions_m = positions_m_,
+    method_->step({.positions_m = positions_m_,
                    .before_m = before_m_,
                    .tools_before = before_,
                    .tools_now = now_,
@@ -71,13 +62,14 @@ class AfterSolvePipeline : public Pipeline {
                   inverse_masses_, outcome_, patch_);
     clock = {};
     world_.writePositions(positions_m_);
-    if (!contact_.motion_m().empty()) world_.addMotion(contact_.motion_m());
+    if (!method_->motion_m().empty()) world_.addMotion(method_->motion_m());
     std::swap(before_m_, positions_m_);
     clock.lap(transfer_s_);
     collision_us_ =
         std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - start).count();
   }
 
+  std::unique_ptr<ContactMethod> method_;
   BulletWorld& world_;
   double step_s_;
   std::vector<double> inverse_masses_;
@@ -86,7 +78,14 @@ class AfterSolvePipeline : public Pipeline {
   std::vector<ToolState> before_, now_;
   ContactOutcome outcome_;  ///< of the step until it is reported
   ContactPatch patch_;      ///< likewise
+  double transfer_s_ = 0;   ///< of positions and motion between Bullet and the method, so far
   double collision_us_ = 0;
 };
+
+}  // namespace
+
+std::unique_ptr<Pipeline> makeMethodPipeline(const PipelineContext& context) {
+  return std::make_unique<MethodPipeline>(context);
+}
 
 }  // namespace fissure

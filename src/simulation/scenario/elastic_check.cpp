@@ -1,0 +1,59 @@
+#include <algorithm>
+
+#include "scenario/catalog.h"
+#include "scenario/checker.h"
+#include "text/scalars.h"
+
+namespace fissure {
+
+namespace {
+
+/// Highest Poisson's ratio of an element that can change its volume.
+constexpr double most_poissons_ratio = 0.49;
+
+bool hasVolume(const SurfaceShape& shape) {
+  return !std::holds_alternative<FileShape>(shape) && !std::holds_alternative<TrianglesShape>(shape);
+}
+
+}  // namespace
+
+void checkElastic(Checker check, const ElasticSettings& elastic) {
+  if (elastic.preset) check.oneOf("preset", *elastic.preset, catalog().elastic_presets);
+  check.positive("youngs_modulus_Pa", elastic.youngs_modulus_Pa);
+  check.between("poissons_ratio", elastic.poissons_ratio, 0, most_poissons_ratio);
+  check.positive("density_kg_m3", elastic.density_kg_m3);
+  check.notNegative("viscosity_Pa_s", elastic.viscosity_Pa_s);
+  check.notNegative("mass_damping_1_s", elastic.mass_damping_1_s);
+  check.notNegative("friction", elastic.friction);
+}
+
+void checkElasticScene(Checker check, const Scenario& scenario) {
+  const std::vector<BodySettings>& bodies = scenario.bodies;
+  const auto elastic =
+      std::find_if(bodies.begin(), bodies.end(), [](const BodySettings& body) { return body.isElastic(); });
+  if (elastic == bodies.end()) return;
+  check.require(bodies.size() == 1, "bodies." + elastic->name + ".model",
+                "is elastic, and the scenario has other bodies, expected it alone: elastic bodies do not "
+                "meet others");
+  check.require(
+      hasVolume(elastic->shape), "bodies." + elastic->name + ".shape",
+      "is a surface without a volume of tetrahedra, expected sphere, box, capsule or lobes for model "
+      "elastic");
+  for (const PipelineSettings& entry : scenario.pipelines) {
+    Checker run = check.in("pipelines").in(entry.name);
+    using enum ContactDetection;
+    const ContactDetection detection = entry.traits().detection;
+    run.require(detection == nodes || detection == surface || detection == sticking, "pipeline",
+                "is " + std::string(entry.traits().name) + ", Bullet's own contact, expected " +
+                    pipelinesWith({nodes, surface, sticking}) + " for body " + elastic->name +
+                    " of model elastic");
+    run.require(entry.precision == Precision::f64, "precision",
+                "is f32, expected f64 for body " + elastic->name + " of model elastic");
+    run.require(!scenario.ground || entry.traits().own_ground, "pipeline",
+                "is " + std::string(entry.traits().name) +
+                    ", whose ground is Bullet's, expected no ground, or " + pipelinesWith({surface}) +
+                    " for body " + elastic->name + " of model elastic");
+  }
+}
+
+}  // namespace fissure
