@@ -9,10 +9,11 @@
 
 namespace fissure {
 
-/// Energies of a tissue, joules. What is kinetic, stored and gravity's is of now; losses and work are sums since
-/// the start. kinetic + stored + gravity + losses - contact work stays what it was at the start. Positions and
-/// velocities of symplectic Euler are half a substep apart, so stored and gravity's are taken at the positions
-/// half a substep back, where the velocities belong: with these the balance closes to the second order.
+/// Energies of a tissue, joules. What is kinetic, stored and gravity's is of now; losses and work are sums
+/// since the start. kinetic + stored + gravity + losses - contact work stays what it was at the start.
+/// Positions and velocities of symplectic Euler are half a substep apart, so stored and gravity's are taken
+/// at the positions half a substep back, where the velocities belong: with these the balance closes to the
+/// second order.
 struct ElasticEnergies {
   double kinetic_J = 0;
   double stored_J = 0;   ///< elastic; 0 at rest
@@ -29,22 +30,22 @@ struct ElasticEnergies {
 /// energies() with such averages allocates.
 class ElasticTissue {
  public:
-  /// `surface_vertices`: how many vertices of `rest`, its first, contacts may move. Fixed vertices never move.
-  /// Throws std::invalid_argument, with one line, where the material, an index or the volume of a tetrahedron
-  /// is not valid, or FISSURE_INSTRUCTIONS names no instruction set of this machine.
+  /// `surface_vertices`: how many vertices of `rest`, its first, contacts may move. Fixed vertices never
+  /// move. Throws std::invalid_argument, with one line, where the material, an index or the volume of a
+  /// tetrahedron is not valid, or FISSURE_INSTRUCTIONS names no instruction set of this machine.
   ElasticTissue(const TetrahedralMesh& rest, const ElasticMaterial& material,
                 std::span<const int> fixed_vertices, int surface_vertices, const Vec3& gravity_m_s2);
   ~ElasticTissue();
   ElasticTissue(ElasticTissue&&) noexcept;
   ElasticTissue& operator=(ElasticTissue&&) noexcept;
 
-  /// Largest stable substep, seconds: that of the rest shape, shortened by how much the most stretched element
-  /// has stiffened, as the last substepsFor() found it.
+  /// Largest stable substep, seconds: that of the rest shape, shortened by how much the most stretched
+  /// element has stiffened, as the last substepsFor() found it.
   double criticalStep_s() const;
 
-  /// How many equal substeps a step of `step_s` needs now: each at most kStepSafety of the largest stable one,
-  /// which is looked for in the present shape, and is foreseen to shrink as much again as it did since the last
-  /// call. Called once a step. At least 1, at most kMostSubsteps.
+  /// How many equal substeps a step of `step_s` needs now: each at most kStepSafety of the largest stable
+  /// one, which is looked for in the present shape, and is foreseen to shrink as much again as it did since
+  /// the last call. Called once a step. At least 1, at most kMostSubsteps.
   int substepsFor(double step_s);
 
   /// One substep: forces, velocities, positions.
