@@ -80,8 +80,5 @@ void elementStretch(const ElementArrays& arrays, const ElementLaw& law, const do
     }
 }
 
-constexpr ElementKernels kKernels = {elementForces, elementVolumeStrains, moveVertices, elementEnergy,
-                                     elementStretch};
-
 }  // namespace
 }  // namespace fissure
