@@ -1,0 +1,64 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "base/tetrahedra.h"
+#include "elastic/element_lanes.h"
+#include "elastic/instruction_set.h"
+#include "elastic/material.h"
+
+namespace fissure {
+
+/// How the resistance to a change of volume is shared between elements and vertices. Linear tetrahedra of
+/// nearly incompressible tissue lock: each has to keep its volume, and nearly no motion is left. Above a
+/// Poisson's ratio of kAveragedAbove, elements keep only the lambda of kElementRatio, and the rest resists
+/// the volume strain averaged at the vertices by volume (average nodal pressure: Bonet, Burton 1998; Joldes,
+/// Wittek, Miller 2009). Its energy is that of the vertices, so forces stay its exact derivative, and where
+/// all of a mesh deforms alike nothing changes. It takes a second pass over the elements. It softens bending
+/// and indentation towards the incompressible limit, but it does not control the pressure of each element,
+/// which may alternate between neighbours.
+struct VolumeSplit {
+  static constexpr double kAveragedAbove = 0.45;
+  static constexpr double kElementRatio = 0.4;
+  double elements_Pa = 0;  ///< lambda of the elements
+  double averaged_Pa = 0;  ///< lambda of the vertices; 0: none
+};
+
+VolumeSplit splitVolume(const ElasticMaterial& material);
+
+/// Internal forces of a mesh, and what else is a sum over its elements. Arrays of vertices hold three doubles
+/// each, and one more double at the end that is read but has no meaning.
+class ElementForces {
+ public:
+  /// Throws std::invalid_argument as ElementLanes does.
+  ElementForces(const TetrahedralMesh& rest, const ElasticMaterial& material, InstructionSet set);
+
+  ElementArrays arrays() const { return lanes_.view(); }
+  const ElementKernels& kernels() const { return *kernels_; }
+  const std::vector<double>& vertexVolumes_m3() const { return lanes_.vertex_volumes_m3; }
+
+  /// Forces on corners, left in forceSlots() and, where the material has a viscosity, viscousSlots().
+  void compute(const double* positions_m, const double* velocities_m_s);
+  /// Forces of the small displacements `displacements_m` from rest, left in forceSlots(), where the material
+  /// had `added_shear_Pa` more of mu.
+  void computeSmall(const double* displacements_m, double added_shear_Pa);
+  const double* forceSlots() const { return force_slots_.data(); }
+  const double* viscousSlots() const { return viscous_slots_.empty() ? nullptr : viscous_slots_.data(); }
+
+  double storedEnergy_J(const double* positions_m);
+  StretchPass stretch(const double* positions_m) const;
+
+ private:
+  /// Nodal averages of volume strain become pressures_; their energy.
+  double averagePressures_J(const ElementLaw& law, const double* positions_m);
+
+  ElementLanes lanes_;
+  const ElementKernels* kernels_;
+  LameConstants lame_;
+  VolumeSplit split_;
+  ElementLaw law_, stretch_law_;
+  std::vector<double> force_slots_, viscous_slots_, volume_slots_, pressures_Pa_;
+};
+
+}  // namespace fissure

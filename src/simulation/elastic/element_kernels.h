@@ -1,0 +1,89 @@
+#pragma once
+
+// Read by sources that are compiled for other instruction sets than the rest of the program: no inline
+// function may stand here or in what is included, since the linker could hand the whole program a copy that
+// not every machine runs.
+
+namespace fissure {
+
+/// Elements stand in groups of this many: one double of each makes a lane.
+inline constexpr int kLanes = 8;
+
+/// Tetrahedra as lanes. A corner's values are written into a slot of its own; the slots of a vertex stand one
+/// after another, so that their sum has one order.
+struct ElementArrays {
+  int groups = 0;
+  int vertices = 0;
+  const int* corners = nullptr;  ///< [group][4 corners][lane]: its vertex
+  const int* slots = nullptr;    ///< [group][4 corners][lane]: its slot
+  const double* inverse_edges =
+      nullptr;  ///< [group][9][lane]: of the matrix of rest edges from the fourth corner
+  const double* volumes_m3 = nullptr;  ///< [group][lane], at rest; 0 for lanes that fill up the last group
+  const int* first_slots = nullptr;    ///< [vertices + 1]: where the slots of a vertex begin
+};
+
+enum class ElementModel { neo_hookean, linear_corotated, small_strain };
+
+/// Coefficients of the stress (material.h). Of the neo-Hookean law: mu', lambda', alpha; of the others: mu,
+/// lambda.
+struct ElementLaw {
+  ElementModel model = ElementModel::neo_hookean;
+  double mu_Pa = 0;
+  double lambda_Pa = 0;
+  double alpha = 1;
+  double viscosity_Pa_s = 0;
+};
+
+/// What forces are computed from, and where they go.
+struct ForcePass {
+  const double* positions_m = nullptr;  ///< [vertex][3]; small_strain: displacements. One double more is read
+  const double* velocities_m_s = nullptr;  ///< like positions; null: no viscosity
+  const double* pressures_Pa = nullptr;    ///< [vertex]: nodal averages; null: none
+  double* forces_N = nullptr;  ///< [slot][4]: elastic force on the corner; the fourth number has no meaning
+  double* viscous_forces_N = nullptr;  ///< like forces_N
+};
+
+/// What moves the vertices, and what comes of it.
+struct MovePass {
+  const double* forces_N = nullptr;          ///< of ForcePass
+  const double* viscous_forces_N = nullptr;  ///< of ForcePass; null: no viscosity
+  const double* masses_kg = nullptr;
+  const double* inverse_masses_1_kg = nullptr;
+  double gravity_m_s2[3] = {0, 0, 0};
+  double mass_damping_1_s = 0;
+  double substep_s = 0;
+  double* positions_m = nullptr;
+  double* velocities_m_s = nullptr;
+  double* accelerations_m_s2 = nullptr;  ///< [vertex][3]: of this substep
+  double* viscous_sums_N = nullptr;  ///< [vertex][3]: viscous force of this substep, where there is viscosity
+  double viscous_loss_J = 0;         ///< of this substep
+  double mass_damping_loss_J = 0;    ///< of this substep
+};
+
+/// How much stiffer than at rest the most stretched elements are (critical_step.h), lane by lane.
+struct StretchPass {
+  double stiffness_growth[kLanes] = {};
+  double viscous_growth[kLanes] = {};
+  double inverted[kLanes] = {};  ///< how many
+};
+
+/// The passes over all elements or vertices. Each gives the same bits on all instruction sets.
+struct ElementKernels {
+  void (*forces)(const ElementArrays&, const ElementLaw&, const ForcePass&);
+  /// Writes, for each corner, the rest volume times the volume strain of its element into its slot: J - 1, or
+  /// tr(R^T F) - 3, or the trace of the small strain.
+  void (*volumeStrains)(const ElementArrays&, const ElementLaw&, const double* positions_m, double* slots);
+  void (*move)(const ElementArrays&, MovePass&);
+  /// Adds the elastic energy of each lane's elements, without that of nodal averages, to `energies_J[lane]`.
+  void (*storedEnergy)(const ElementArrays&, const ElementLaw&, const double* positions_m,
+                       double* energies_J);
+  void (*stretch)(const ElementArrays&, const ElementLaw&, const double* positions_m, StretchPass&);
+};
+
+extern const ElementKernels kBaselineKernels;
+#ifdef __x86_64__
+extern const ElementKernels kAvx2Kernels;
+extern const ElementKernels kAvx512Kernels;
+#endif
+
+}  // namespace fissure

@@ -1,0 +1,15 @@
+#ifdef __x86_64__
+
+#define FISSURE_LANE_WIDTH 8
+#include "elastic/lanes_measures.h"
+#include "elastic/lanes_move.h"
+#include "elastic/lanes_passes.h"
+
+namespace fissure {
+
+const ElementKernels kAvx512Kernels = {elementForces, elementVolumeStrains, moveVertices, elementEnergy,
+                                       elementStretch};
+
+}  // namespace fissure
+
+#endif

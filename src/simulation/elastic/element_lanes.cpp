@@ -1,0 +1,86 @@
+#include "elastic/element_lanes.h"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace fissure {
+
+namespace {
+
+/// Edges from the fourth corner, as columns.
+Mat3 restEdges(const TetrahedralMesh& rest, const Tetrahedron& corners) {
+  Mat3 edges;
+  for (int c = 0; c < 3; ++c) edges.col(c) = rest.vertices_m[corners[c]] - rest.vertices_m[corners[3]];
+  return edges;
+}
+
+void checkMesh(const TetrahedralMesh& rest) {
+  const auto fail = [](const std::string& what, std::size_t which, const std::string& why) {
+    throw std::invalid_argument("elastic tissue: " + what + " " + std::to_string(which) + " " + why);
+  };
+  if (rest.tetrahedra.empty()) throw std::invalid_argument("elastic tissue: it has no tetrahedra");
+  for (std::size_t v = 0; v < rest.vertices_m.size(); ++v)
+    if (!rest.vertices_m[v].allFinite()) fail("vertex", v, "is not finite");
+  std::vector<bool> used(rest.vertices_m.size());
+  for (std::size_t e = 0; e < rest.tetrahedra.size(); ++e) {
+    for (const int corner : rest.tetrahedra[e]) {
+      if (corner < 0 || corner >= static_cast<int>(used.size()))
+        fail("tetrahedron", e, "has a corner that is no vertex");
+      used[corner] = true;
+    }
+    // Positive volume is a negative determinant of edges from the fourth corner.
+    if (!(restEdges(rest, rest.tetrahedra[e]).determinant() < 0))
+      fail("tetrahedron", e, "has no positive volume");
+  }
+  for (std::size_t v = 0; v < used.size(); ++v)
+    if (!used[v]) fail("vertex", v, "belongs to no tetrahedron");
+}
+
+}  // namespace
+
+ElementLanes::ElementLanes(const TetrahedralMesh& rest) {
+  checkMesh(rest);
+  const std::size_t elements = rest.tetrahedra.size();
+  groups = static_cast<int>((elements + kLanes - 1) / kLanes);
+  const std::size_t lanes = static_cast<std::size_t>(groups) * kLanes;
+  corners.resize(4 * lanes);
+  slots.resize(4 * lanes);
+  inverse_edges.resize(9 * lanes);
+  volumes_m3.resize(lanes);
+  vertex_volumes_m3.resize(rest.vertices_m.size());
+
+  first_slots.assign(rest.vertices_m.size() + 1, 0);
+  for (const Tetrahedron& tetrahedron : rest.tetrahedra)
+    for (const int corner : tetrahedron) ++first_slots[corner + 1];
+  for (std::size_t v = 1; v < first_slots.size(); ++v) first_slots[v] += first_slots[v - 1];
+  slot_count = 4 * elements + 1;
+
+  std::vector<int> next = first_slots;
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    const Tetrahedron& tetrahedron = rest.tetrahedra[std::min(lane, elements - 1)];
+    const std::size_t group = lane / kLanes, in_group = lane % kLanes;
+    const Mat3 edges = restEdges(rest, tetrahedron), inverse = edges.inverse();
+    for (int k = 0; k < 9; ++k) inverse_edges[(9 * group + k) * kLanes + in_group] = inverse(k / 3, k % 3);
+    const bool real = lane < elements;
+    volumes_m3[lane] = real ? -edges.determinant() / 6 : 0;
+    for (int c = 0; c < 4; ++c) {
+      const std::size_t at = (4 * group + c) * kLanes + in_group;
+      corners[at] = tetrahedron[c];
+      slots[at] = real ? next[tetrahedron[c]]++ : static_cast<int>(slot_count) - 1;
+      vertex_volumes_m3[tetrahedron[c]] += volumes_m3[lane] / 4;
+    }
+  }
+}
+
+ElementArrays ElementLanes::view() const {
+  return {groups,
+          static_cast<int>(vertex_volumes_m3.size()),
+          corners.data(),
+          slots.data(),
+          inverse_edges.data(),
+          volumes_m3.data(),
+          first_slots.data()};
+}
+
+}  // namespace fissure

@@ -1,0 +1,84 @@
+#pragma once
+
+// What is measured of all elements for one instruction set: energy and stretch. Internal linkage, as lanes.h.
+
+#include "elastic/lanes_passes.h"
+
+namespace fissure {
+namespace {
+
+/// Natural logarithm of normal numbers from 1, to a few units in the last place: made of operations that give
+/// the same bits everywhere, which the C library's is not.
+inline Lanes logarithm(const Lanes& x) {
+  constexpr long long kMantissa = 0x000fffffffffffff, kOne = 0x3ff0000000000000, kMagic = 0x4330000000000000;
+  const Mask bits = reinterpret_cast<Mask>(x);
+  Lanes mantissa = reinterpret_cast<Lanes>((bits & kMantissa) | kOne);
+  Lanes exponent = reinterpret_cast<Lanes>((bits >> 52) | kMagic) - (4503599627370496.0 + 1023.0);
+  const Mask upper = mantissa > 1.4142135623730951;
+  mantissa = upper ? 0.5 * mantissa : mantissa;
+  exponent = upper ? exponent + 1.0 : exponent;
+  const Lanes s = (mantissa - 1.0) / (mantissa + 1.0), square = s * s;
+  Lanes series = all(1.0 / 21);
+  for (int n = 19; n >= 1; n -= 2) series = series * square + 1.0 / n;
+  return exponent * 0.6931471805599453 + 2.0 * s * series;
+}
+
+void elementEnergy(const ElementArrays& arrays, const ElementLaw& law, const double* positions_m,
+                   double* energies_J) {
+  for (int group = 0; group < arrays.groups; ++group)
+    for (int lane = 0; lane < kLanes; lane += kWidth) {
+      const Elements some = elements(arrays, group, lane);
+      Lanes b[3][3];
+      inverseEdges(some, b);
+      const Matrices f = gradient(some, b, positions_m), cofactor = cofactors(f);
+      const Lanes i = normSquared(f), j = determinant(f, cofactor);
+      Lanes density;
+      if (law.model == ElementModel::neo_hookean) {
+        const Lanes volume = (j - 1.0) * (j + (1 - 2 * law.alpha));  // (J - alpha)^2 - (1 - alpha)^2
+        density = 0.5 * (law.mu_Pa * ((i - 3.0) - logarithm(0.25 * larger(i, all(3e-300)) + 0.25)) +
+                         law.lambda_Pa * volume);
+      } else {
+        const Lanes trace = rotationTrace(i, normSquared(cofactor), j);
+        density = law.mu_Pa * (i - 2.0 * trace + 3.0) + 0.5 * law.lambda_Pa * (trace - 3.0) * (trace - 3.0);
+      }
+      store(load<Lanes>(energies_J + lane) + some.volumes_m3 * density, energies_J + lane);
+    }
+}
+
+/// Growth of the stiffness of a wave, for the worst of all directions (critical_step.h).
+inline Lanes stiffnessGrowth(const ElementLaw& law, const Matrices& f, const Lanes& largest_stretch_squared) {
+  const Matrices cofactor = cofactors(f);
+  const Lanes i = normSquared(f), ii = normSquared(cofactor), j = determinant(f, cofactor);
+  if (law.model == ElementModel::neo_hookean) {
+    const Lanes largest_area_squared = largestEigenvalue(ii, j * j * i);
+    const Lanes now = law.mu_Pa * (i / (i + 1.0) + 2.0 * largest_stretch_squared / ((i + 1.0) * (i + 1.0))) +
+                      law.lambda_Pa * largest_area_squared;
+    return now / (law.mu_Pa * (7.0 / 8) + law.lambda_Pa);
+  }
+  const Lanes trace = rotationTrace(i, ii, j);
+  const Lanes others = larger(trace - squareRoot(largest_stretch_squared), all(1e-3));
+  const double rest_Pa = law.lambda_Pa + 2 * law.mu_Pa;
+  const Lanes of_rotation = larger(law.lambda_Pa * (trace - 3.0) - 2 * law.mu_Pa, all(0)) * 2.0 / others;
+  return (rest_Pa + of_rotation) / rest_Pa;
+}
+
+void elementStretch(const ElementArrays& arrays, const ElementLaw& law, const double* positions_m,
+                    StretchPass& pass) {
+  for (int group = 0; group < arrays.groups; ++group)
+    for (int lane = 0; lane < kLanes; lane += kWidth) {
+      const Elements some = elements(arrays, group, lane);
+      Lanes b[3][3];
+      inverseEdges(some, b);
+      const Matrices f = gradient(some, b, positions_m), cofactor = cofactors(f);
+      const Lanes largest_stretch_squared = largestEigenvalue(normSquared(f), normSquared(cofactor));
+      const Lanes stiffness = stiffnessGrowth(law, f, largest_stretch_squared);
+      const Mask inverted = (determinant(f, cofactor) <= 0.0) & (some.volumes_m3 > 0.0);
+      store(larger(stiffness, load<Lanes>(pass.stiffness_growth + lane)), pass.stiffness_growth + lane);
+      store(larger(largest_stretch_squared, load<Lanes>(pass.viscous_growth + lane)),
+            pass.viscous_growth + lane);
+      store(load<Lanes>(pass.inverted + lane) + (inverted ? all(1) : all(0)), pass.inverted + lane);
+    }
+}
+
+}  // namespace
+}  // namespace fissure
