@@ -5,6 +5,7 @@
 
 #include "check/run_plan.h"
 #include "check/scenario_warnings.h"
+#include "explicit/substep_plan.h"
 #include "main/exit_codes.h"
 #include "main/result_table.h"
 #include "main/scenario_options.h"
@@ -53,6 +54,17 @@ void printClamp(const ToolSettings& clamp) {
   std::cout << "\n";
 }
 
+/// "elastic, neo_hookean: E 10000 Pa, nu 0.4, 1000 kg/m3; 512 tetrahedra, 1 substep a step ..."
+void printElastic(const BodySettings& body, const SubstepPlan& plan) {
+  const ElasticSettings& elastic = body.elastic;
+  std::cout << "    elastic, " << nameIn(catalog().elastic_materials, elastic.material) << ": E "
+            << elastic.youngs_modulus_Pa << " Pa, nu " << elastic.poissons_ratio << ", "
+            << elastic.density_kg_m3 << " kg/m3; " << plan.tetrahedra << " tetrahedra, " << plan.substeps
+            << (plan.substeps == 1 ? " substep" : " substeps")
+            << " a step at rest: the fastest vibration of the mesh allows "
+            << fourDigits(1e3 * plan.critical_step_s) << " ms; stretched elements need more\n";
+}
+
 void printScene(const CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   std::cout << scenario.name << ": " << checked.duration_s << " s in " << checked.steps << " steps of "
@@ -64,6 +76,8 @@ void printScene(const CheckedScenario& checked) {
     const std::size_t fixed = body.fixed_vertices.size();
     if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
     std::cout << "\n";
+    const BodySettings& settings = scenario.bodies[static_cast<std::size_t>(&body - scene.bodies.data())];
+    if (body.volume) printElastic(settings, planSubsteps(settings, body, scenario.time.step_s));
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const std::string& warning : scenarioWarnings(checked)) std::cout << "  " << warning << "\n";

@@ -40,6 +40,9 @@ std::unique_ptr<Probe> makeClampProbe(const Scenario& scenario, const Scene& sce
 /// Volume, energy and inversion of the tissue.
 std::unique_ptr<Probe> makeBodyProbe(const Scene& scene);
 
+/// Where the energy of an elastic body goes, and what its elements do.
+std::unique_ptr<Probe> makeElasticProbe();
+
 /// Mean displacements of the gauges.
 std::unique_ptr<Probe> makeGaugeProbe(const Scene& scene);
 

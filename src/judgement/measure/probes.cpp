@@ -25,6 +25,9 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
   if (!scene.clamps.empty()) probes.push_back(makeClampProbe(scenario, scene));
   probes.push_back(makeBodyProbe(scene));
   if (std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                  [](const SceneBody& b) { return b.volume.has_value(); }))
+    probes.push_back(makeElasticProbe());
+  if (std::any_of(scene.bodies.begin(), scene.bodies.end(),
                   [](const SceneBody& b) { return !b.gauges.empty(); }))
     probes.push_back(makeGaugeProbe(scene));
   probes.push_back(makeTimingProbe(scenario.time.step_s));

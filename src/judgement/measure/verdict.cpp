@@ -124,6 +124,7 @@ std::vector<Remark> remarksOf(const Summary& summary) {
 
 std::string reactionNote(const Summary& summary) {
   if (!(numberIn(summary, "max_reaction_N").value_or(0) > 0)) return "";
+  if (numberIn(summary, "max_substeps")) return "";  // of an elastic body: newtons
   return "reaction: of a shell of springs, which stiffens as 1/dt^2 (one press: 30 N at 2 ms, 7500 N at "
          "0.125 ms): "
          "no force to feel, compare it at one step and mesh";

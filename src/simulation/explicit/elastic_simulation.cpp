@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <utility>
 
-#include "elastic/elastic_tissue.h"
+#include "explicit/elastic_model.h"
 #include "stepping/contact_method.h"
 #include "stepping/stepped_state.h"
 
 namespace fissure {
 
 namespace {
-
-ElasticMaterial materialOf(const ElasticSettings& settings) {
-  return {.model = settings.material == ElasticMaterialKind::neo_hookean ? MaterialModel::neo_hookean
-                                                                         : MaterialModel::linear_corotated,
-          .youngs_modulus_Pa = settings.youngs_modulus_Pa,
-          .poissons_ratio = settings.poissons_ratio,
-          .density_kg_m3 = settings.density_kg_m3,
-          .viscosity_Pa_s = settings.viscosity_Pa_s,
-          .mass_damping_1_s = settings.mass_damping_1_s};
-}
 
 /// The tool `share` of its way from one pose to the next, at their velocity.
 ToolState between(const ToolState& from, const ToolState& to, double share) {
@@ -70,8 +60,7 @@ class ElasticSimulation : public Simulation {
                     const std::vector<Pose>& first_poses)
       : step_s_(scenario.time.step_s),
         surface_vertices_(scene.vertexCount()),
-        tissue_(scene.bodies.at(0).volume.value().mesh, materialOf(scenario.bodies.at(0).elastic),
-                scene.bodies[0].volume->fixed_vertices, scene.vertexCount(), scenario.world.gravity_m_s2),
+        tissue_(makeTissue(scenario.bodies.at(0), scene.bodies.at(0), scenario.world.gravity_m_s2)),
         method_(makeContactMethod(
             {.scenario = scenario, .settings = settings, .scene = scene, .precision = Precision::f64})),
         stepped_(scenario, scene, first_poses, surfaceMasses()),
