@@ -16,8 +16,8 @@ namespace fissure {
 /// stiffest wave in the most deformed element, by the material's tangent in the coordinates of rest, where an
 /// element that gets flatter is one whose areas weigh more; damping grows as the square of the largest
 /// stretch. For the neo-Hookean law the growth is M / M(rest), M = mu' (I_C / (I_C + 1) + 2 s^2 / (I_C +
-/// 1)^2) + lambda' a^2 with s and a the largest growth of a length and of an area: 1.5 laterally halves the
-/// limit.
+/// 1)^2) + lambda' (a^2 + max(0, J - 1) s) with s and a the largest growth of a length and of an area: 1.5
+/// laterally halves the limit.
 class CriticalStep {
  public:
   /// Leaves nothing of value in the slots of `forces`. Fixed vertices have an inverse mass of 0.

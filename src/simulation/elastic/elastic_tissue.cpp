@@ -28,6 +28,10 @@ NodalVectors padded(const std::vector<Vec3>& vectors) {
   return field;
 }
 
+/// The number of substeps falls only where this many times the wanted number are still fewer: where it changes,
+/// velocities are not half a substep behind positions for once, and energy is not conserved.
+constexpr double kFallMargin = 1.1;
+
 double largestOf(const double (&lanes)[kLanes]) {
   return *std::max_element(lanes, lanes + kLanes);
 }
@@ -85,7 +89,9 @@ struct ElasticTissue::Arrays {
   std::size_t surface_vertices = 0;
   Vec3 gravity_m_s2 = Vec3::Zero();
   double stiffness_growth = 1, viscous_growth = 1;  ///< as the last substepsFor() found them
-  double substep_s = 0;                             ///< the last one
+  double step_s = 0;                                ///< of the last substepsFor()
+  int substeps = 0;                                 ///< that it gave
+  double substep_s = 0;                             ///< of the last advance()
   double viscous_loss_J = 0, mass_damping_loss_J = 0, contact_work_J = 0;
 };
 
@@ -117,9 +123,16 @@ int ElasticTissue::substepsFor(double step_s) {
   const double viscous_trend = std::max(1.0, viscous / a.viscous_growth);
   a.stiffness_growth = stiffness;
   a.viscous_growth = viscous;
-  const double wanted =
-      step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
-  return wanted < kMostSubsteps ? std::max(1, static_cast<int>(std::ceil(wanted))) : kMostSubsteps;
+  const double wanted = step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
+  const auto whole = [](double substeps) {
+    return substeps < kMostSubsteps ? std::max(1, static_cast<int>(std::ceil(substeps))) : kMostSubsteps;
+  };
+  if (step_s != a.step_s || whole(wanted) > a.substeps)
+    a.substeps = whole(wanted);
+  else
+    a.substeps = std::min(a.substeps, whole(kFallMargin * wanted));
+  a.step_s = step_s;
+  return a.substeps;
 }
 
 void ElasticTissue::advance(double substep_s) {

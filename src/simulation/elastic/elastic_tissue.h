@@ -10,10 +10,11 @@
 namespace fissure {
 
 /// Energies of a tissue, joules. What is kinetic, stored and gravity's is of now; losses and work are sums
-/// since the start. kinetic + stored + gravity + losses - contact work stays what it was at the start.
-/// Positions and velocities of symplectic Euler are half a substep apart, so stored and gravity's are taken
-/// at the positions half a substep back, where the velocities belong: with these the balance closes to the
-/// second order.
+/// since the start. kinetic + stored + gravity + losses - contact work stays what it was after the first
+/// substep. Positions and velocities of symplectic Euler are half a substep apart, so stored and gravity's
+/// are taken at the positions half a substep back, where the velocities belong: with these the balance closes
+/// to the second order. A change of the substep costs an error of the first order, once: half the change
+/// times the power of the internal forces.
 struct ElasticEnergies {
   double kinetic_J = 0;
   double stored_J = 0;   ///< elastic; 0 at rest
@@ -26,8 +27,8 @@ struct ElasticEnergies {
 /// A tissue of linear tetrahedra with lumped masses, moved by symplectic Euler in substeps (total Lagrangian
 /// explicit dynamics, Miller, Joldes, Lance, Wittek 2007; METHOD section 10). Results are the same bits on
 /// every instruction set. Poisson's ratios above 0.45 get part of their pressure from nodal averages of the
-/// volume ratio, against locking (see VolumeSplit). Not thread-safe; after its construction nothing but
-/// energies() with such averages allocates.
+/// volume ratio, against locking (see VolumeSplit). Not thread-safe, const functions
+/// neither. Nothing allocates after the construction.
 class ElasticTissue {
  public:
   /// `surface_vertices`: how many vertices of `rest`, its first, contacts may move. Fixed vertices never
@@ -45,7 +46,8 @@ class ElasticTissue {
 
   /// How many equal substeps a step of `step_s` needs now: each at most kStepSafety of the largest stable
   /// one, which is looked for in the present shape, and is foreseen to shrink as much again as it did since
-  /// the last call. Called once a step. At least 1, at most kMostSubsteps.
+  /// the last call. Falls later than it rises, so that it does not flicker. Called once a step. At least 1,
+  /// at most kMostSubsteps.
   int substepsFor(double step_s);
 
   /// One substep: forces, velocities, positions.

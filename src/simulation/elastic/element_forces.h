@@ -20,7 +20,7 @@ namespace fissure {
 /// which may alternate between neighbours.
 struct VolumeSplit {
   static constexpr double kAveragedAbove = 0.45;
-  static constexpr double kElementRatio = 0.4;
+  static constexpr double kElementRatio = 0.3;
   double elements_Pa = 0;  ///< lambda of the elements
   double averaged_Pa = 0;  ///< lambda of the vertices; 0: none
 };

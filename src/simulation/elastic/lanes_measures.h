@@ -52,7 +52,8 @@ inline Lanes stiffnessGrowth(const ElementLaw& law, const Matrices& f, const Lan
   if (law.model == ElementModel::neo_hookean) {
     const Lanes largest_area_squared = largestEigenvalue(ii, j * j * i);
     const Lanes now = law.mu_Pa * (i / (i + 1.0) + 2.0 * largest_stretch_squared / ((i + 1.0) * (i + 1.0))) +
-                      law.lambda_Pa * largest_area_squared;
+                      law.lambda_Pa * (largest_area_squared +
+                                       larger(j - 1.0, all(0)) * squareRoot(largest_stretch_squared));
     return now / (law.mu_Pa * (7.0 / 8) + law.lambda_Pa);
   }
   const Lanes trace = rotationTrace(i, ii, j);

@@ -1,0 +1,147 @@
+// The largest stable substep: just below it nothing grows, above it everything does.
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+
+#include "block_mesh.h"
+#include "tissue_probe.h"
+
+namespace fissure {
+
+namespace {
+
+/// How much velocities of 1e-9 m/s have grown after `substeps` substeps of this size, from where the tissue
+/// stands.
+double growth(ElasticTissue& tissue, double substep_s, int substeps) {
+  Random random;
+  const std::vector<Vec3> held_m(tissue.positions_m().begin(), tissue.positions_m().end());
+  for (std::size_t v = 0; v < held_m.size(); ++v)
+    tissue.velocities_m_s()[v] =
+        tissue.inverseMasses_1_kg()[v] > 0 ? Vec3(1e-9 * random.vector()) : Vec3::Zero();
+  for (int i = 0; i < substeps; ++i) tissue.advance(substep_s);
+  double sum_m_s = 0;  // not a number where one of them is not
+  for (std::size_t v = 0; v < held_m.size(); ++v) {
+    sum_m_s += tissue.velocities_m_s()[v].norm();
+    tissue.positions_m()[v] = held_m[v];
+  }
+  return sum_m_s / (1e-9 * static_cast<double>(held_m.size()));
+}
+
+struct Case {
+  const char* name;
+  BlockShape shape;
+  bool held;
+};
+
+const Case kCases[] = {
+    {"regular, five", {.cells = {3, 3, 3}}, false},
+    {"regular, six, held", {.cells = {3, 2, 4}, .split = CellSplit::six}, true},
+    {"irregular", {.cells = {3, 3, 3}, .irregularity = 0.4}, false},
+    {"very irregular, held", {.cells = {4, 3, 3}, .split = CellSplit::six, .irregularity = 0.6}, true},
+    {"flat cells", {.cells = {3, 3, 3}, .size_m = {0.04, 0.04, 0.01}, .irregularity = 0.3}, false},
+    {"one cell", {.cells = {1, 1, 1}}, false},
+};
+
+TEST(CriticalStep, IsTheLimitOfStability) {
+  for (const Case& one : kCases) {
+    const BlockMesh block = makeBlock(one.shape);
+    const auto held = block.where([&](const Vec3& p) { return one.held && p.z() == 0; });
+    for (const MaterialModel model : kModels)
+      for (const double ratio : {0.0, 0.3, 0.45, 0.49})
+        for (const double viscosity : {0.0, 0.5, 20.0}) {
+          const ElasticMaterial material = {model, 1e4, ratio, 1000, viscosity, viscosity};
+          ElasticTissue tissue(block.mesh, material, held, 0, Vec3::Zero());
+          const double limit_s = tissue.criticalStep_s();
+          EXPECT_LT(growth(tissue, 0.999 * limit_s, 200), 100)
+              << one.name << " " << ratio << " " << viscosity;
+          const double above = viscosity > 1 ? 1.1 : 1.01;  // slow to grow where damping sets the limit
+          EXPECT_FALSE(growth(tissue, above * limit_s, 200) < 1e4)
+              << one.name << " " << ratio << " " << viscosity;
+        }
+  }
+}
+
+/// Square of the highest frequency of a tissue where it stands, from differences of forces: power iteration,
+/// twice, since the largest eigenvalue may be one of a shape that is not stable.
+double highestFrequencySquared(ElasticTissue& tissue) {
+  const std::vector<Vec3> at_m(tissue.positions_m().begin(), tissue.positions_m().end());
+  constexpr double kMove_m = 1e-7;
+  const auto power = [&](double shift) {
+    std::vector<Vec3> direction(at_m.size());
+    Random random;
+    for (Vec3& vector : direction) vector = random.vector();
+    double found = 0;
+    for (int round = 0; round < 200; ++round) {
+      double norm = 0;
+      for (const Vec3& vector : direction) norm += vector.squaredNorm();
+      const auto forces_N = [&](double by_m) {
+        for (std::size_t v = 0; v < at_m.size(); ++v)
+          tissue.positions_m()[v] = at_m[v] + by_m / std::sqrt(norm) * direction[v];
+        return internalForces_N(tissue);
+      };
+      const std::vector<Vec3> ahead_N = forces_N(kMove_m), behind_N = forces_N(-kMove_m);
+      double along = 0;
+      for (std::size_t v = 0; v < at_m.size(); ++v) {
+        const Vec3 unit = direction[v] / std::sqrt(norm);
+        direction[v] = (behind_N[v] - ahead_N[v]) / (2 * kMove_m * tissue.masses_kg()[v]) + shift * unit;
+        along += direction[v].dot(unit);
+      }
+      found = along - shift;
+    }
+    std::copy(at_m.begin(), at_m.end(), tissue.positions_m().begin());
+    return found;
+  };
+  const double largest = power(0);
+  return largest > 0 ? largest : power(-largest);
+}
+
+struct Stretch {
+  const char* name;
+  Mat3 gradient;
+};
+
+std::vector<Stretch> stretches() {
+  const auto diagonal = [](double x, double y, double z) -> Mat3 { return Vec3(x, y, z).asDiagonal(); };
+  Mat3 shear = Mat3::Identity();
+  shear(0, 2) = 1;
+  std::vector<Stretch> found = {{"none", Mat3::Identity()},
+                                {"laterally 1.5", diagonal(1.5, 1.5, 1)},
+                                {"laterally 1.5, thinner", diagonal(1.5, 1.5, 1 / 2.25)},
+                                {"along 2", diagonal(2, 1 / std::sqrt(2), 1 / std::sqrt(2))},
+                                {"all 1.3", diagonal(1.3, 1.3, 1.3)},
+                                {"all 0.7", diagonal(0.7, 0.7, 0.7)},
+                                {"pressed to a half", diagonal(1.2, 1.2, 0.5)},
+                                {"confined to a half", diagonal(1, 1, 0.5)},
+                                {"shear", shear}};
+  Random random;
+  for (int i = 0; i < 6; ++i) {
+    Mat3 some = Mat3::Identity();
+    for (int k = 0; k < 9; ++k) some(k / 3, k % 3) += 0.4 * random();
+    found.push_back({"random", some});
+  }
+  return found;
+}
+
+// Stretched, the estimate is at most 1 % above what is stable (corotated elements without a Poisson's ratio,
+// whose swollen shape resists rotations), which kStepSafety covers, and at least half of it.
+TEST(CriticalStep, FollowsTheStretch) {
+  for (const double irregularity : {0.0, 0.4}) {
+    const BlockMesh block = makeBlock({.cells = {3, 3, 3}, .irregularity = irregularity});
+    for (const MaterialModel model : kModels)
+      for (const double ratio : {0.0, 0.3, 0.45, 0.49})
+        for (const Stretch& stretch : stretches()) {
+          ElasticTissue tissue(block.mesh, {model, 1e4, ratio, 1000}, {}, 0, Vec3::Zero());
+          for (std::size_t v = 0; v < block.mesh.vertices_m.size(); ++v)
+            tissue.positions_m()[v] = stretch.gradient * block.mesh.vertices_m[v];
+          tissue.substepsFor(1e-3);
+          const double limit_s = 2 / std::sqrt(highestFrequencySquared(tissue));
+          EXPECT_LT(tissue.criticalStep_s(), 1.01 * limit_s) << stretch.name << " " << ratio;
+          EXPECT_GT(tissue.criticalStep_s(), 0.5 * limit_s) << stretch.name << " " << ratio;
+        }
+  }
+}
+
+}  // namespace
+
+}  // namespace fissure
