@@ -49,8 +49,10 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
   if (scenario.record.snapshots_every_s) {
     plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
     const double clamps = scene.hasHandles() ? static_cast<double>(scene.clamps.size()) : 0;
-    // Time, positions and states; the poses of clamps.
-    const double one = 8.0 + 25.0 * scene.vertexCount() + 1.0 * scene.nodeCount() + 56.0 * clamps;
+    // Time, positions, states and pressures; the poses of clamps.
+    const bool elastic = scene.bodies.at(0).volume.has_value();
+    const double one =
+        8.0 + (elastic ? 33.0 : 25.0) * scene.vertexCount() + 1.0 * scene.nodeCount() + 56.0 * clamps;
     plan.snapshot_bytes = one * static_cast<double>(plan.snapshots);
   }
   if (scenario.record.frames) {

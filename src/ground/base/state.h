@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -73,10 +74,13 @@ struct ContactOutcome {
   /// The momentum that contacts with the ground took from the tissue in the step, over dt; no value where
   /// there is no ground or the engine does not say.
   std::optional<Vec3> ground_reaction_N;
+  /// Work of the tools on the tissue in the step: the force of each contact times the path of its tool point.
+  /// NaN where it is not known: with response none, and where Bullet's own contacts act.
+  double tool_work_J = std::numeric_limits<double>::quiet_NaN();
 };
 
-/// What the inside of an elastic body adds to its surface's state, and where its energy is. The sums since
-/// settling ended: kinetic + stored + gravity + losses - contact work stays what it was.
+/// What the inside of an elastic body adds to its surface's state, and where its energy is: kinetic + stored
+/// + gravity + losses - contact work stays what it was.
 struct VolumeState {
   Vec3 momentum_kg_m_s = Vec3::Zero();  ///< of all vertices
   double kinetic_J = 0;                 ///< of all vertices
@@ -85,6 +89,10 @@ struct VolumeState {
   double viscous_loss_J = 0;            ///< sum over the run, as what follows
   double mass_damping_loss_J = 0;
   double contact_work_J = 0;  ///< that contacts did on the tissue
+  double tool_work_J = 0;     ///< that tools did on it; what is more than contact work is lost in contacts
+  /// One per surface vertex: the normal stress of the contacts on the tissue, mean over the step, Pa;
+  /// positive where they press. Their force on a vertex along its normal over a third of its triangles' area.
+  std::vector<double> pressures_Pa;
   int substeps = 0;           ///< of the step
   int inverted_elements = 0;  ///< tetrahedra turned inside out
 };

@@ -14,7 +14,7 @@ struct UnitEnding {
 };
 
 // An ending before those that it ends with.
-constexpr std::array<UnitEnding, 15> endings = {{{"_N_s_m", "N s m-1"},
+constexpr std::array<UnitEnding, 16> endings = {{{"_N_s_m", "N s m-1"},
                                                  {"_N_m", "N m-1"},
                                                  {"_kg_m3", "kg m-3"},
                                                  {"_m_s2", "m s-2"},
@@ -25,6 +25,7 @@ constexpr std::array<UnitEnding, 15> endings = {{{"_N_s_m", "N s m-1"},
                                                  {"_us", "us"},
                                                  {"_hz", "Hz"},
                                                  {"_J", "J"},
+                                                 {"_Pa", "Pa"},
                                                  {"_kg", "kg"},
                                                  {"_deg", "degree"},
                                                  {"_px", "pixel"},

@@ -26,21 +26,31 @@ constexpr auto kEnergies = std::to_array<EnergySeries>({
      true},
     {"contact_work", "work that contacts did on the tissue since the start", &VolumeState::contact_work_J,
      true},
+    {"tool_work", "work that tools did on the tissue since the start", &VolumeState::tool_work_J, true},
 });
 
 /// Where the energy of an elastic body goes: the series of kEnergies, with kinetic_energy of the bodies all
-/// there is; energy_error, what does not add up of them since the start; and substeps and inverted_elements.
+/// there is; contact_loss, the tools' work that contacts did not pass on; energy_error, what does not add up
+/// since the start; and max_pressure, substeps and inverted_elements.
 class ElasticProbe : public Probe {
  public:
   void declare(RecordLayout& layout) override {
     for (std::size_t i = 0; i < kEnergies.size(); ++i)
       columns_[i] = layout.add(
           {.name = kEnergies[i].name, .units = "J", .long_name = kEnergies[i].long_name, .axes = {}});
+    loss_column_ = layout.add({.name = "contact_loss",
+                               .units = "J",
+                               .long_name = "tool work less contact work: lost in contacts since the start",
+                               .axes = {}});
     error_column_ = layout.add(
         {.name = "energy_error",
          .units = "J",
          .long_name = "kinetic, stored, gravity energy and losses less contact work, since the start",
          .axes = {}});
+    pressure_column_ = layout.add({.name = "max_pressure",
+                                   .units = "Pa",
+                                   .long_name = "largest normal stress of contacts on the tissue",
+                                   .axes = {}});
     substeps_column_ = layout.add({.name = "substeps",
                                    .units = "1",
                                    .long_name = "substeps of the elements in the step",
@@ -60,6 +70,11 @@ class ElasticProbe : public Probe {
     for (std::size_t i = 0; i < kEnergies.size(); ++i)
       row[columns_[i]] =
           now.*kEnergies[i].value_J - (kEnergies[i].since_start ? first_.*kEnergies[i].value_J : 0);
+    row[loss_column_] = (now.tool_work_J - first_.tool_work_J) - (now.contact_work_J - first_.contact_work_J);
+    const double pressure_Pa =
+        now.pressures_Pa.empty() ? 0 : *std::max_element(now.pressures_Pa.begin(), now.pressures_Pa.end());
+    row[pressure_column_] = pressure_Pa;
+    max_pressure_Pa_.add(pressure_Pa);
     const double error_J = balance_J(now) - balance_J(first_);
     row[error_column_] = error_J;
     row[substeps_column_] = now.substeps;
@@ -73,6 +88,7 @@ class ElasticProbe : public Probe {
   }
 
   void summarize(Summary& summary) const override {
+    summary.push_back({"max_pressure_Pa", max_pressure_Pa_.value()});
     summary.push_back({"energy_balance_error", max_error_J_.value() / max_turned_J_.value()});
     summary.push_back(countOrMissing("max_substeps", steps_ > 0, max_substeps_));
     summary.push_back(countOrMissing("max_inverted_elements", steps_ > 0, max_inverted_));
@@ -85,9 +101,11 @@ class ElasticProbe : public Probe {
   }
 
   std::array<std::size_t, kEnergies.size()> columns_{};
-  std::size_t error_column_ = 0, substeps_column_ = 0, inverted_column_ = 0;
+  std::size_t loss_column_ = 0, error_column_ = 0, pressure_column_ = 0, substeps_column_ = 0,
+              inverted_column_ = 0;
   VolumeState first_;
   long long steps_ = 0;
+  RunningMax max_pressure_Pa_;
   RunningMax max_error_J_, max_turned_J_;  ///< what energies did in all, to compare the error with
   int max_substeps_ = 0, max_inverted_ = 0;
 };

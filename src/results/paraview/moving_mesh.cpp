@@ -39,8 +39,8 @@ PointArray constantArray(const std::string& name, const std::vector<std::size_t>
   return {name, ValueType::count, 1, false, [values](std::size_t) { return values; }};
 }
 
-PointArray storedArray(const RunReader& run, const std::string& name) {
-  return {name, ValueType::flag, 1, true,
+PointArray storedArray(const RunReader& run, const std::string& name, ValueType type = ValueType::flag) {
+  return {name, type, 1, true,
           [&run, &stored = need(run, name)](std::size_t snapshot) { return run.rows(stored, snapshot, 1); }};
 }
 
@@ -57,6 +57,8 @@ MovingMesh tissueOf(const RunReader& run) {
          return moved_m;
        }});
   mesh.arrays.push_back(storedArray(run, "vertex_contact"));
+  if (run.find("contact_pressure"))
+    mesh.arrays.push_back(storedArray(run, "contact_pressure", ValueType::real));
   std::vector<double> first = read(run, "first_vertex");
   first.push_back(static_cast<double>(mesh.points));
   std::vector<std::size_t> counts;

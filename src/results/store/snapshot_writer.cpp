@@ -115,7 +115,9 @@ void addHandles(GroupBuilder& group, const Scene& scene) {
 SnapshotWriter::SnapshotWriter(GroupBuilder& group, const Scene& scene, std::size_t expected)
     : vertices_(static_cast<std::size_t>(scene.vertexCount())),
       nodes_(static_cast<std::size_t>(scene.nodeCount())),
-      placed_clamps_(scene.hasHandles() ? scene.clamps.size() : 0) {
+      placed_clamps_(scene.hasHandles() ? scene.clamps.size() : 0),
+      has_pressures_(std::any_of(scene.bodies.begin(), scene.bodies.end(),
+                                 [](const SceneBody& body) { return body.volume.has_value(); })) {
   const std::size_t bytes = std::max<std::size_t>(1, vertices_ * sizeof(Vec3));
   chunk_ = std::clamp<std::size_t>(buffer_bytes / bytes, 1, expected == 0 ? 64 : expected);
   const Dimension time{"snapshot_time", chunk_, true};
@@ -130,6 +132,12 @@ SnapshotWriter::SnapshotWriter(GroupBuilder& group, const Scene& scene, std::siz
                                      {time, vertex, {"xyz", 3}}});
   contact_data_ = group.addGrowing(
       {"vertex_contact", "1", "whether a vertex is in contact with a tool", ValueType::flag, {time, vertex}});
+  if (has_pressures_)
+    pressure_data_ = group.addGrowing({"contact_pressure",
+                                       "Pa",
+                                       "normal stress of the contacts on the tissue at each vertex",
+                                       ValueType::real,
+                                       {time, vertex}});
   if (placed_clamps_ > 0) addClamps(group, scene);
   if (nodes_ == 0) return;
   group.addIndex("node", nodes_);
@@ -159,7 +167,9 @@ void SnapshotWriter::addClamps(GroupBuilder& group, const Scene& scene) {
 bool SnapshotWriter::append(const State& state) {
   const auto fits = [](std::size_t size, std::size_t expected) { return size == 0 || size == expected; };
   if (state.positions_m.size() != vertices_ || !fits(state.contact.vertex_contact.size(), vertices_) ||
-      !fits(state.contact.node_states.size(), nodes_) || state.clamps.size() < placed_clamps_) {
+      !fits(state.contact.node_states.size(), nodes_) ||
+      (has_pressures_ && (!state.volume || state.volume->pressures_Pa.size() != vertices_)) ||
+      state.clamps.size() < placed_clamps_) {
     throw std::logic_error("a snapshot does not fit its scene");
   }
   for (const Vec3& position_m : state.positions_m) {
@@ -168,6 +178,10 @@ bool SnapshotWriter::append(const State& state) {
   contacts_.insert(contacts_.end(), state.contact.vertex_contact.begin(), state.contact.vertex_contact.end());
   for (const NodeState node : state.contact.node_states)
     node_states_.push_back(static_cast<std::uint8_t>(node));
+  if (has_pressures_) {
+    const std::vector<double>& pressures_Pa = state.volume.value().pressures_Pa;
+    pressures_Pa_.insert(pressures_Pa_.end(), pressures_Pa.begin(), pressures_Pa.end());
+  }
   for (std::size_t c = 0; c < placed_clamps_; ++c) {
     const Pose& pose = state.clamps[c].pose;
     clamp_positions_.insert(clamp_positions_.end(), pose.position_m.data(), pose.position_m.data() + 3);
@@ -187,12 +201,14 @@ void SnapshotWriter::writeData() {
   if (unwritten_ == 0) return;
   position_data_->append(positions_.data(), unwritten_);
   contact_data_->append(contacts_.data(), unwritten_);
+  if (pressure_data_) pressure_data_->append(pressures_Pa_.data(), unwritten_);
   if (node_data_) node_data_->append(node_states_.data(), unwritten_);
   if (clamp_position_data_) clamp_position_data_->append(clamp_positions_.data(), unwritten_);
   if (clamp_quaternion_data_) clamp_quaternion_data_->append(clamp_quaternions_.data(), unwritten_);
   unwritten_ = 0;
   positions_.clear();
   contacts_.clear();
+  pressures_Pa_.clear();
   clamp_positions_.clear();
   clamp_quaternions_.clear();
   node_states_.clear();

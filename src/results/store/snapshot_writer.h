@@ -23,8 +23,8 @@ void addTools(GroupBuilder& group, const Scene& scene);
 void addHandles(GroupBuilder& group, const Scene& scene);
 
 /// Snapshots of a run: positions(snapshot_time,vertex,xyz), vertex_contact, node_state when the scene has
-/// nodes, and where it has handles their places: clamp_position(snapshot_time,clamp,xyz), clamp_quaternion.
-/// Buffered by about a megabyte of positions.
+/// nodes, contact_pressure where a body is elastic, and where it has handles their places:
+/// clamp_position(snapshot_time,clamp,xyz), clamp_quaternion. Buffered by about a megabyte of positions.
 class SnapshotWriter {
  public:
   /// Makes the datasets; `expected` snapshots bound the chunk (0: unknown).
@@ -45,11 +45,13 @@ class SnapshotWriter {
   std::size_t vertices_;
   std::size_t nodes_;
   std::size_t placed_clamps_;  ///< 0: there is no handle
+  bool has_pressures_;
   std::size_t chunk_;
   std::size_t in_chunk_ = 0;  ///< snapshots of the current chunk, written or buffered
   std::vector<double> positions_;
   std::vector<std::uint8_t> contacts_;
   std::vector<std::uint8_t> node_states_;
+  std::vector<double> pressures_Pa_;
   std::vector<double> clamp_positions_;
   std::vector<double> clamp_quaternions_;
   std::vector<double> times_;
@@ -57,6 +59,7 @@ class SnapshotWriter {
   std::optional<GrowingDataset> time_data_;
   std::optional<GrowingDataset> position_data_;
   std::optional<GrowingDataset> contact_data_;
+  std::optional<GrowingDataset> pressure_data_;
   std::optional<GrowingDataset> node_data_;
   std::optional<GrowingDataset> clamp_position_data_;
   std::optional<GrowingDataset> clamp_quaternion_data_;

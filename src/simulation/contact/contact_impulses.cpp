@@ -63,6 +63,13 @@ Vec3 ContactImpulses::ofTool(int tool, std::span<const double> factors) const {
   return total;
 }
 
+double ContactImpulses::toolWork_kg_m2() const {
+  double work = 0;
+  for (std::size_t i = 0; i < pushes_.size(); ++i)
+    work += (pushes_[i].kg_m * normals_[i] + pushes_[i].friction_kg_m).dot(pushes_[i].tool_step_m);
+  return work;
+}
+
 void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses, const StepView& step) {
   pushes_.assign(constraints.size(), {});
@@ -85,7 +92,8 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
     const Pose& to = of_ground ? rest : step.tools_now[contact.tool].pose;
     const Vec3 was_at_m = from.toScene(to.toBody(contact.position_m));
     const Vec3 normal_was = from.rotateToScene(to.rotateToBody(contact.normal));
-    push.tool_way_m = (contact.position_m - was_at_m).dot(contact.normal);
+    push.tool_step_m = contact.position_m - was_at_m;
+    push.tool_way_m = push.tool_step_m.dot(contact.normal);
     push.old_overlap_m = contact.target_m - (pointOf(contact, step.before_m) - was_at_m).dot(normal_was);
     if (contact.friction > 0) push.stuck_at_m = to.toScene(from.toBody(pointOf(contact, step.before_m)));
   }

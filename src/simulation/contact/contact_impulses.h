@@ -43,16 +43,21 @@ class ContactImpulses {
   /// The same of one tool's contacts, or with kGround of the ground's.
   Vec3 ofTool(int tool, std::span<const double> factors) const;
 
+  /// Work of the tools on the tissue, times the square of the time step: each contact's impulse times the
+  /// displacement of its tool point in the step, kg m2.
+  double toolWork_kg_m2() const;
+
   const DisplacementCounts& counts() const { return counts_; }
 
  private:
   struct Push {
-    int vertex = 0;            ///< the first of its triangle
-    int tool = 0;              ///< or kGround
-    double mobility = 0;       ///< of the tissue point along the normal, 1/kg
-    double kg_m = 0;           ///< impulse so far times the time step, never negative
-    double tool_way_m = 0;     ///< of the tool point in the step, along the normal
-    double old_overlap_m = 0;  ///< there at the start of the step, as far as it still counts as motion
+    int vertex = 0;                   ///< the first of its triangle
+    int tool = 0;                     ///< or kGround
+    double mobility = 0;              ///< of the tissue point along the normal, 1/kg
+    double kg_m = 0;                  ///< impulse so far times the time step, never negative
+    Vec3 tool_step_m = Vec3::Zero();  ///< displacement of the tool point in the step
+    double tool_way_m = 0;            ///< the same along the normal
+    double old_overlap_m = 0;         ///< there at the start of the step, as far as it still counts as motion
     Vec3 friction_kg_m = Vec3::Zero();  ///< the same as kg_m along the surface, on the tissue
     Vec3 stuck_at_m = Vec3::Zero();     ///< the tissue point had it gone with the tool; only with friction
   };

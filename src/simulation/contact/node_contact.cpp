@@ -1,6 +1,7 @@
 #include "contact/node_contact.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace fissure {
 
@@ -40,6 +41,8 @@ void NodeContact::step(const StepView& step, std::span<const double> inverse_mas
   if (patch.tools.size() > 1) noteDisplacements(step.positions_m);
   outcome.reaction_on_tool_N = respond(step, inverse_masses);
   shareReaction(step.dt_s, outcome.tool_reactions_N);
+  outcome.tool_work_J = impulses_ ? impulses_->toolWork_kg_m2() / (step.dt_s * step.dt_s)
+                                  : std::numeric_limits<double>::quiet_NaN();
   clock.lap(times_.displacement_s);
   report(outcome, patch);
   clock.lap(times_.report_s);

@@ -53,7 +53,7 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
                             step.tools_before[obstacle.tool].pose.toScene(at_m);
     const Vec3 change_m = tool_way_m - way_m[v] - motion_m[v];
     motion_m[v] += change_m;
-    stopped_.push_back({static_cast<int>(v), obstacle.tool, change_m / inverse_masses[v]});
+    stopped_.push_back({static_cast<int>(v), obstacle.tool, change_m / inverse_masses[v], tool_way_m});
   }
   counts_.vertices += static_cast<long long>(stopped_.size());
   counts_.steps += stopped_.empty() ? 0 : 1;
@@ -91,6 +91,12 @@ bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptP
     moved = true;
   }
   return moved;
+}
+
+double PathTruncation::toolWork_kg_m2() const {
+  double work = 0;
+  for (const Stopped& stopped : stopped_) work += stopped.impulse_kg_m.dot(stopped.tool_step_m);
+  return work;
 }
 
 Vec3 PathTruncation::total(std::span<const double> factors) const {

@@ -44,6 +44,9 @@ class PathTruncation {
   Vec3 total(std::span<const double> factors) const;
   /// The same of one tool, or with kGround of the ground.
   Vec3 ofTool(int tool, std::span<const double> factors) const;
+  /// As ContactImpulses: the impulses times the displacements of the tools where vertices were stopped, kg
+  /// m2.
+  double toolWork_kg_m2() const;
   void clear();
 
   /// Whether the last apply left tissue that may overlap a tool.
@@ -55,6 +58,7 @@ class PathTruncation {
   struct Stopped {
     int vertex = 0, tool = 0;  ///< or kGround
     Vec3 impulse_kg_m;
+    Vec3 tool_step_m = Vec3::Zero();  ///< displacement of the tool there in the step; zero of the ground
   };
 
   bool putOnGround(std::span<Vec3> positions_m, std::span<const double> inverse_masses);

@@ -242,6 +242,7 @@ void SweptContact::report(const StepView& step, ContactOutcome& outcome, Contact
     outcome.ground_reaction_N =
         -(impulses_.ofTool(kGround, force_factors_) + truncation_.ofTool(kGround, force_factors_)) /
         dt_squared;
+  outcome.tool_work_J = (impulses_.toolWork_kg_m2() + truncation_.toolWork_kg_m2()) / dt_squared;
   outcome.candidate_count = static_cast<int>(constraints_.size());
   outcome.contact_count = impulses_.pushing();
   outcome.infeasible_count = outcome.capped_count = 0;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "explicit/contact_pressure.h"
 #include "explicit/elastic_model.h"
 #include "stepping/contact_method.h"
 #include "stepping/stepped_state.h"
@@ -19,7 +20,7 @@ ToolState between(const ToolState& from, const ToolState& to, double share) {
   return at;
 }
 
-/// Sums the forces of a step's substeps; the rest is the last one's.
+/// Means of the forces and the sum of the work of a step's substeps; the rest is the last one's.
 class MeanOutcome {
  public:
   void begin() { count_ = 0; }
@@ -30,11 +31,13 @@ class MeanOutcome {
       return;
     }
     const Vec3 reaction_N = sum_.reaction_on_tool_N + outcome.reaction_on_tool_N;
+    const double work_J = sum_.tool_work_J + outcome.tool_work_J;
     std::swap(tool_reactions_N_, sum_.tool_reactions_N);
     std::optional<Vec3> ground_N = outcome.ground_reaction_N;
     if (ground_N) *ground_N += sum_.ground_reaction_N.value_or(Vec3::Zero());
     sum_ = outcome;
     sum_.reaction_on_tool_N = reaction_N;
+    sum_.tool_work_J = work_J;
     sum_.ground_reaction_N = ground_N;
     for (std::size_t t = 0; t < sum_.tool_reactions_N.size(); ++t)
       sum_.tool_reactions_N[t] += tool_reactions_N_[t];
@@ -66,6 +69,8 @@ class ElasticSimulation : public Simulation {
         stepped_(scenario, scene, first_poses, surfaceMasses()),
         before_m_(surface_vertices_),
         still_m_(surface_vertices_, Vec3::Zero()),
+        impulses_N_s_(surface_vertices_),
+        pressure_(scene.bodies[0].rest.faces),
         tools_from_(first_poses.size()),
         tools_to_(first_poses.size()) {
     state().volume.emplace();
@@ -79,9 +84,11 @@ class ElasticSimulation : public Simulation {
     clock.lap(critical_step_s_);
     state().timing.collision_us = 0;
     mean_.begin();
+    std::fill(impulses_N_s_.begin(), impulses_N_s_.end(), Vec3::Zero());
     tools_from_ = stepped_.toolsBefore();
     for (int i = 1; i <= substeps; ++i) substep(static_cast<double>(i) / substeps, step_s_ / substeps);
     mean_.finish(state().contact);
+    state().volume->tool_work_J += state().contact.tool_work_J;
     collect(substeps);
     stepped_.endStep();
   }
@@ -128,6 +135,8 @@ class ElasticSimulation : public Simulation {
                   tissue_.inverseMasses_1_kg().first(surface_vertices_), outcome_, stepped_.patch());
     const std::span<const Vec3> motion_m = method_->motion_m();
     tissue_.addMotion(motion_m.empty() ? still_m_ : motion_m, substep_s);
+    for (std::size_t v = 0; v < motion_m.size(); ++v)
+      if (surface_kg_[v] > 0) impulses_N_s_[v] += surface_kg_[v] / substep_s * motion_m[v];
     std::swap(tools_from_, tools_to_);
     mean_.add(outcome_);
     clock.lap(contact_s);
@@ -141,18 +150,21 @@ class ElasticSimulation : public Simulation {
     std::copy_n(positions_m.begin(), surface_vertices_, state().positions_m.begin());
     std::copy_n(velocities_m_s.begin(), surface_vertices_, state().velocities_m_s.begin());
     const ElasticEnergies energies = tissue_.energies();
-    VolumeState volume{.kinetic_J = energies.kinetic_J,
-                       .stored_J = energies.stored_J,
-                       .gravity_J = energies.gravity_J,
-                       .viscous_loss_J = energies.viscous_loss_J,
-                       .mass_damping_loss_J = energies.mass_damping_loss_J,
-                       .contact_work_J = energies.contact_work_J,
-                       .substeps = substeps,
-                       .inverted_elements = tissue_.invertedElements()};
+    VolumeState& volume = *state().volume;
+    volume = VolumeState{.kinetic_J = energies.kinetic_J,
+                         .stored_J = energies.stored_J,
+                         .gravity_J = energies.gravity_J,
+                         .viscous_loss_J = energies.viscous_loss_J,
+                         .mass_damping_loss_J = energies.mass_damping_loss_J,
+                         .contact_work_J = energies.contact_work_J,
+                         .tool_work_J = volume.tool_work_J,
+                         .pressures_Pa = std::move(volume.pressures_Pa),
+                         .substeps = substeps,
+                         .inverted_elements = tissue_.invertedElements()};
     const std::span<const double> masses_kg = tissue_.masses_kg();
     for (std::size_t v = 0; v < masses_kg.size(); ++v)
       volume.momentum_kg_m_s += masses_kg[v] * velocities_m_s[v];
-    state().volume = volume;
+    pressure_.find(impulses_N_s_, step_s_, state().positions_m, volume.pressures_Pa);
   }
 
   double step_s_;
@@ -164,6 +176,9 @@ class ElasticSimulation : public Simulation {
   ContactOutcome outcome_;      ///< of a substep
   std::vector<Vec3> before_m_;  ///< the surface when the substep began
   std::vector<Vec3> still_m_;   ///< zero per surface vertex
+  std::vector<double> surface_kg_ = surfaceMasses();
+  std::vector<Vec3> impulses_N_s_;  ///< per surface vertex: of its contacts in the step
+  ContactPressure pressure_;
   std::vector<ToolState> tools_from_, tools_to_;
   long long substeps_ = 0;
   double critical_step_s_ = 0, elements_s_ = 0;

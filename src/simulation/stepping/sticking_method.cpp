@@ -28,6 +28,7 @@ class StickingMethod : public ContactMethod {
     hold(step, inverse_masses);
     patch.clear();
     outcome = {};
+    outcome.tool_work_J = 0;
     outcome.tool_reactions_N.assign(tool_count_ > 1 ? tool_count_ : 0, Vec3::Zero());
     for (std::size_t v = 0; v < held_.size(); ++v) {
       motion_m_[v] = Vec3::Zero();
@@ -37,8 +38,10 @@ class StickingMethod : public ContactMethod {
       const Vec3 at_m = pose.toScene(held_[v]->position_m);
       motion_m_[v] = at_m - step.positions_m[v];
       step.positions_m[v] = at_m;
+      const Pose& pose_before = step.tools_before[tool].pose;
       const Vec3 on_tool_N = -motion_m_[v] / (inverse_masses[v] * step.dt_s * step.dt_s);
       outcome.reaction_on_tool_N += on_tool_N;
+      outcome.tool_work_J -= on_tool_N.dot(at_m - pose_before.toScene(held_[v]->position_m));
       if (tool_count_ > 1) outcome.tool_reactions_N[tool] += on_tool_N;
       ++outcome.contact_count;
       patch.touchVertex(static_cast<int>(tool), static_cast<int>(v), 1, pose.rotateToScene(held_[v]->normal),

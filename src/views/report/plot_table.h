@@ -25,7 +25,7 @@ struct PlotQuantity {
   bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
 };
 
-inline constexpr std::array<PlotQuantity, 27> plot_quantities = {{
+inline constexpr std::array<PlotQuantity, 36> plot_quantities = {{
     {"penetration_depth", "Penetration", "Penetration depth", PlotScale::length,
      "deepest tool sample in tissue, or tissue vertex in a tool"},
     {"inversion_aware_depth", "Penetration", "Depth with inverted tissue", PlotScale::length,
@@ -46,8 +46,11 @@ inline constexpr std::array<PlotQuantity, 27> plot_quantities = {{
     {"adhesion_clamped", "Force", "Clamped triangles", PlotScale::plain,
      "the law would have pulled there, and was set to 0", "", "law"},
     {"reaction_force", "Force", "Reaction", PlotScale::prefixed,
-     "what the contacts took from the tissue: of a shell of springs, it grows as 1/dt²; no force with "
-     "response: none"},
+     "what the contacts took from the tissue: a force in newtons of an elastic body; of a shell of springs "
+     "it "
+     "grows as 1/dt²; no force with response: none"},
+    {"max_pressure", "Force", "Largest pressure on the tissue", PlotScale::prefixed,
+     "normal stress of the contacts at a vertex of an elastic body"},
     {"tool_force", "Force", "Force on {}", PlotScale::prefixed, "length", "tool", "law", true},
     {"tool_reaction", "Force", "Reaction on {}", PlotScale::prefixed, "length", "tool", "", true},
     {"ground_reaction", "Force", "Reaction on the ground", PlotScale::prefixed,
@@ -72,6 +75,18 @@ inline constexpr std::array<PlotQuantity, 27> plot_quantities = {{
      "tissue triangles with a vertex in contact"},
     {"kinetic_energy", "Energy and volume", "Kinetic energy", PlotScale::prefixed,
      "of the tissue, from the engine's velocities; without meaning with response: none", "", "", false, true},
+    {"stored_energy", "Energy and volume", "Elastic energy", PlotScale::prefixed, "of an elastic body"},
+    {"gravity_energy", "Energy and volume", "Energy in gravity", PlotScale::prefixed,
+     "since the body at rest"},
+    {"viscous_loss", "Energy and volume", "Lost by viscosity", PlotScale::prefixed, "since time 0"},
+    {"mass_damping_loss", "Energy and volume", "Lost by mass damping", PlotScale::prefixed, "since time 0"},
+    {"tool_work", "Energy and volume", "Work of the tools", PlotScale::prefixed, "since time 0"},
+    {"contact_loss", "Energy and volume", "Lost in contacts", PlotScale::prefixed,
+     "work of the tools that did not reach the tissue, since time 0"},
+    {"energy_error", "Energy and volume", "Energy that does not add up", PlotScale::prefixed,
+     "all of the above against each other, since time 0"},
+    {"inverted_elements", "Energy and volume", "Inverted elements", PlotScale::plain,
+     "tetrahedra turned inside out"},
     {"volume", "Energy and volume", "Volume of {}", PlotScale::relative_percent, "change since time 0",
      "body"},
 }};
