@@ -6,6 +6,7 @@
 #include <set>
 #include <tuple>
 
+#include "mesh/defect_list.h"
 #include "mesh/edges.h"
 #include "mesh/shells.h"
 #include "mesh/triangle.h"
@@ -19,22 +20,7 @@ constexpr double sliver_height = 2e-6;
 /// Volume over the cube of the extent: below this a closed surface is a folded sheet.
 constexpr double emptiness = 1e-12;
 
-/// The list that inspectSurface returns.
-class Report {
- public:
-  /// Adds "`count` `one`/`many` (`meaning`)" when there is any.
-  void add(DefectKind kind, std::size_t count, const std::string& one, const std::string& many,
-           const std::string& meaning) {
-    if (count == 0) return;
-    defects_.push_back(
-        {kind, count, std::to_string(count) + " " + (count == 1 ? one : many) + " (" + meaning + ")"});
-  }
-  void add(DefectKind kind, const std::string& text) { defects_.push_back({kind, 1, text}); }
-  std::vector<Defect> take() { return std::move(defects_); }
-
- private:
-  std::vector<Defect> defects_;
-};
+using Report = DefectList<Defect>;
 
 bool inRange(const Face& face, std::size_t vertices) {
   return std::all_of(face.begin(), face.end(),

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "base/geometry.h"
+#include "base/tetrahedra.h"
 #include "scenario/shapes.h"
 
 namespace fissure {
@@ -9,5 +10,9 @@ namespace fissure {
 /// origin is the middle of the flat side, y up, the slit along z. Closed, outward faces; each vertex, edge
 /// and face has its exact mirror image at x = 0 and at z = 0. Deterministic for given sizes.
 TriangleMesh makeLobes(const LobesShape& shape);
+
+/// The volume whose surface is makeLobes': six tetrahedra for each cell of the block, as symmetric. Inside,
+/// cells along the upper edges of the block are kept from becoming as flat as these are on the ellipsoid.
+TetrahedralMesh makeLobesTetrahedra(const LobesShape& shape);
 
 }  // namespace fissure

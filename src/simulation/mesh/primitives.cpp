@@ -3,46 +3,13 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
-#include <cstdint>
 #include <numeric>
-#include <unordered_map>
+
+#include "mesh/box_grid.h"
+#include "mesh/split_faces.h"
 
 namespace fissure {
 namespace {
-
-/// Splits triangles in four; the midpoint of an edge is made once and shared by its two triangles.
-class Splitter {
- public:
-  Splitter(TriangleMesh& mesh, double radius_m) : mesh_(mesh), radius_m_(radius_m) {}
-
-  void split() {
-    midpoints_.clear();
-    std::vector<Face> finer;
-    finer.reserve(4 * mesh_.faces.size());
-    for (const auto& [a, b, c] : mesh_.faces) {
-      const int ab = midpoint(a, b), bc = midpoint(b, c), ca = midpoint(c, a);
-      finer.insert(finer.end(), {{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}});
-    }
-    mesh_.faces = std::move(finer);
-  }
-
- private:
-  int midpoint(int a, int b) {
-    const auto [low, high] = std::minmax(a, b);
-    const std::uint64_t edge = (static_cast<std::uint64_t>(low) << 32) |
-                               static_cast<std::uint64_t>(static_cast<std::uint32_t>(high));
-    const auto [found, is_new] = midpoints_.try_emplace(edge, static_cast<int>(mesh_.vertices_m.size()));
-    if (is_new) {
-      const auto& vertices = mesh_.vertices_m;
-      mesh_.vertices_m.push_back(radius_m_ * Vec3(vertices[low] + vertices[high]).normalized());
-    }
-    return found->second;
-  }
-
-  TriangleMesh& mesh_;
-  double radius_m_;
-  std::unordered_map<std::uint64_t, int> midpoints_;
-};
 
 /// Moves the halves of a sphere length_m apart along x, its ring in x = 0 with the left one. The ring, in the
 /// order of the turn about x.
@@ -69,6 +36,16 @@ void giveRing(TriangleMesh& mesh, const std::vector<int>& left, const std::vecto
   }
 }
 
+/// Two triangles, parted from the first corner to the third or, `other_way`, from the second to the fourth.
+void addQuad(const std::array<int, 4>& corners, bool other_way, std::vector<Face>& faces) {
+  const auto [p, q, r, s] = corners;
+  if (other_way) {
+    faces.insert(faces.end(), {{p, q, s}, {q, r, s}});
+  } else {
+    faces.insert(faces.end(), {{p, q, r}, {p, r, s}});
+  }
+}
+
 }  // namespace
 
 TriangleMesh makeSphere(double radius_m, int subdivisions) {
@@ -77,12 +54,12 @@ TriangleMesh makeSphere(double radius_m, int subdivisions) {
   TriangleMesh sphere;
   sphere.vertices_m = {{r, 0, 0}, {-r, 0, 0}, {0, r, 0}, {0, -r, 0}, {0, 0, r}, {0, 0, -r}};
   sphere.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-  Splitter splitter(sphere, radius_m);
-  for (int level = 0; level < subdivisions; ++level) splitter.split();
+  const auto middle = [&](const Vec3& a, const Vec3& b) { return Vec3(r * Vec3(a + b).normalized()); };
+  for (int level = 0; level < subdivisions; ++level) splitFaces(sphere.vertices_m, sphere.faces, middle);
   return sphere;
 }
 
-TriangleMesh makeCapsule(double radius_m, double length_m, int subdivisions, int rows) {
+CapsuleSurface makeCapsuleSurface(double radius_m, double length_m, int subdivisions, int rows) {
   assert(length_m > 0 && rows > 0);
   TriangleMesh capsule = makeSphere(radius_m, subdivisions);
   const std::vector<int> left = drawApart(capsule, length_m);
@@ -108,19 +85,37 @@ TriangleMesh makeCapsule(double radius_m, double length_m, int subdivisions, int
       }
     }
   }
-  return capsule;
+  return {std::move(capsule), std::move(rings)};
 }
 
-TriangleMesh makeBox(const Vec3& size_m) {
+TriangleMesh makeCapsule(double radius_m, double length_m, int subdivisions, int rows) {
+  return makeCapsuleSurface(radius_m, length_m, subdivisions, rows).mesh;
+}
+
+TriangleMesh makeBox(const Vec3& size_m, const std::array<int, 3>& cells) {
   assert(size_m.minCoeff() > 0);
+  const BoxGrid grid(cells);
   TriangleMesh box;
-  // Bit 0 of the index is the side in x, bit 1 in y, bit 2 in z.
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 side((corner & 1) ? 0.5 : -0.5, (corner & 2) ? 0.5 : -0.5, (corner & 4) ? 0.5 : -0.5);
-    box.vertices_m.push_back(side.cwiseProduct(size_m));
+  for (const GridPoint& point : grid.surface()) box.vertices_m.push_back(grid.position_m(point, size_m));
+  struct Side {
+    std::size_t across, first, second;  ///< axes; the outward normal's, and those of a quad's first two edges
+    bool high;
+  };
+  for (const auto& [across, first, second, high] :
+       {Side{0, 2, 1, false}, Side{0, 1, 2, true}, Side{1, 0, 2, false}, Side{1, 2, 0, true},
+        Side{2, 1, 0, false}, Side{2, 0, 1, true}}) {
+    GridPoint cell{};
+    cell[across] = high ? cells[across] : 0;
+    for (cell[second] = 0; cell[second] < cells[second]; ++cell[second]) {
+      for (cell[first] = 0; cell[first] < cells[first]; ++cell[first]) {
+        GridPoint second_corner = cell, third_corner = cell, fourth_corner = cell;
+        ++second_corner[first], ++third_corner[first], ++third_corner[second], ++fourth_corner[second];
+        addQuad({grid.index(cell), grid.index(second_corner), grid.index(third_corner),
+                 grid.index(fourth_corner)},
+                (cell[first] + cell[second]) % 2 != 0, box.faces);
+      }
+    }
   }
-  box.faces = {{0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}, {0, 1, 5}, {0, 5, 4},
-               {2, 6, 7}, {2, 7, 3}, {0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}};
   return box;
 }
 

@@ -60,7 +60,7 @@ void split(const TriangleMesh& mesh, const Face& face, const std::array<int, 3>&
 
 }  // namespace
 
-bool subdivide(TriangleMesh& mesh, double max_edge, std::size_t most_triangles) {
+bool subdivide(TriangleMesh& mesh, double max_edge, std::size_t most) {
   for (;;) {
     Midpoints midpoints(mesh, max_edge);
     std::vector<Face> parts;
@@ -69,7 +69,7 @@ bool subdivide(TriangleMesh& mesh, double max_edge, std::size_t most_triangles) 
                                          midpoints.between(face[1], face[2]),
                                          midpoints.between(face[2], face[0])};
       split(mesh, face, middle, parts);
-      if (parts.size() > most_triangles) return false;
+      if (parts.size() > most) return false;
     }
     const bool done = parts.size() == mesh.faces.size();
     mesh.faces = std::move(parts);

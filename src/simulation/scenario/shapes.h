@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -30,13 +31,19 @@ struct SphereShape {
   bool operator==(const SphereShape&) const = default;
 };
 
-/// A box centred on its own origin, full edge lengths.
+/// A box centred on its own origin, full edge lengths, with two triangles for each cell of a face.
 struct BoxShape {
-  static constexpr ShapeText text{"box", "12 triangles, full edge lengths", "full edge lengths"};
+  static constexpr ShapeText text{"box", "full edge lengths; 12 triangles, or two for each of its `cells`",
+                                  "full edge lengths"};
 
   Vec3 size_m = {0.04, 0.002, 0.015};
+  /// Along x, y and z, 1..128 each. Where all are even the mesh is its own mirror image.
+  std::array<int, 3> cells = {1, 1, 1};
 
-  double triangles() const { return 12; }
+  double triangles() const {
+    const double x = cells[0], y = cells[1], z = cells[2];
+    return 4 * (x * y + y * z + z * x);
+  }
 
   bool operator==(const BoxShape&) const = default;
 };

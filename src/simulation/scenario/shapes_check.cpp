@@ -14,15 +14,18 @@ void checkAlternative(Checker check, const SphereShape& sphere) {
   check.between("subdivisions", sphere.subdivisions, 0, 7);
 }
 
-void checkAlternative(Checker check, const BoxShape& box) {
-  check.positive("size_m", box.size_m);
-}
-
 /// NaN, of values that are bad anyway, passes.
 void checkTriangles(Checker check, const std::string& key, double triangles) {
   check.require(
       !(triangles > static_cast<double>(most_triangles)), key,
       "makes " + formatReal(triangles) + " triangles, expected at most " + std::to_string(most_triangles));
+}
+
+void checkAlternative(Checker check, const BoxShape& box) {
+  check.positive("size_m", box.size_m);
+  for (const int count : box.cells) check.between("cells", count, 1, 128);
+  if (std::all_of(box.cells.begin(), box.cells.end(), [](int count) { return count >= 1 && count <= 128; }))
+    checkTriangles(check, "cells", box.triangles());
 }
 
 void checkAlternative(Checker check, const CapsuleShape& capsule) {

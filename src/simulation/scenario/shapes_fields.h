@@ -16,6 +16,7 @@ void describe(Io& io, SphereShape& s) {
 template <class Io>
 void describe(Io& io, BoxShape& s) {
   io.required("size_m", s.size_m);
+  io.field("cells", s.cells);
 }
 
 template <class Io>

@@ -12,7 +12,7 @@ TriangleMesh makeShape(const SphereShape& sphere, const SurfaceFiles&) {
   return makeSphere(sphere.radius_m, sphere.subdivisions);
 }
 TriangleMesh makeShape(const BoxShape& box, const SurfaceFiles&) {
-  return makeBox(box.size_m);
+  return makeBox(box.size_m, box.cells);
 }
 TriangleMesh makeShape(const CapsuleShape& capsule, const SurfaceFiles&) {
   return makeCapsule(capsule.radius_m, capsule.length_m, capsule.subdivisions,

@@ -95,6 +95,45 @@ TEST(Box, HasItsSizeVolumeAndOutwardFaces) {
   EXPECT_NEAR(signedVolume_m3(box), 0.04 * 0.002 * 0.015, 1e-20);
 }
 
+// Today's box of twelve triangles, which scenes of record have.
+TEST(Box, OfOneCellKeepsItsVerticesAndFaces) {
+  const TriangleMesh box = makeBox({2, 4, 6}, {1, 1, 1});
+  for (int corner = 0; corner < 8; ++corner)
+    EXPECT_EQ(box.vertices_m[static_cast<std::size_t>(corner)],
+              Vec3((corner & 1) ? 1 : -1, (corner & 2) ? 2 : -2, (corner & 4) ? 3 : -3));
+  EXPECT_EQ(box.faces, (std::vector<Face>{{0, 4, 6},
+                                          {0, 6, 2},
+                                          {1, 3, 7},
+                                          {1, 7, 5},
+                                          {0, 1, 5},
+                                          {0, 5, 4},
+                                          {2, 6, 7},
+                                          {2, 7, 3},
+                                          {0, 2, 3},
+                                          {0, 3, 1},
+                                          {4, 5, 7},
+                                          {4, 7, 6}}));
+}
+
+TEST(Box, OfCellsIsAClosedSurfaceOnTheSamePlanes) {
+  for (const std::array<int, 3>& cells :
+       {std::array<int, 3>{2, 2, 2}, {1, 1, 7}, {3, 4, 5}, {16, 1, 8}, {1, 2, 1}}) {
+    const BoxShape shape{Vec3(0.04, 0.002, 0.015), cells};
+    const TriangleMesh box = makeBox(shape.size_m, cells);
+    EXPECT_EQ(static_cast<double>(box.faces.size()), shape.triangles());
+    EXPECT_EQ(findDefects(box), std::vector<std::string>{});
+    EXPECT_EQ(box.vertices_m.size() + box.faces.size() - countEdges(box), 2u);
+    EXPECT_EQ(countInwardFaces(box), 0);
+    EXPECT_NEAR(signedVolume_m3(box) / shape.size_m.prod(), 1, 1e-14);
+    for (const Vec3& vertex : box.vertices_m) {
+      const Vec3 outside = vertex.cwiseAbs() - shape.size_m / 2;
+      EXPECT_EQ(outside.maxCoeff(), 0) << "on a side, not near it";
+      const Vec3 mirrored = -vertex;
+      EXPECT_EQ(std::count(box.vertices_m.begin(), box.vertices_m.end(), mirrored), 1);
+    }
+  }
+}
+
 TEST(Capsule, IsAClosedSurfaceOfEvenTriangles) {
   for (int subdivisions = 0; subdivisions <= 4; ++subdivisions) {
     const CapsuleShape shape{.radius_m = 0.01, .length_m = 0.07, .subdivisions = subdivisions};

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "mesh/check.h"
+#include "mesh/tetrahedra.h"
+#include "mesh/tetrahedra_check.h"
 #include "motion/motion.h"
 #include "scenario/catalog.h"
 #include "scenario_text.h"
@@ -91,7 +93,7 @@ std::vector<SurfaceShape> shapes() {
   file.max_edge_m = 0.02;
   const std::vector<Vec3> corners_m = {{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0, 0, 0.01}};
   return {SphereShape{0.02, 3},
-          BoxShape{Vec3(0.01, 0.02, 0.03)},
+          BoxShape{Vec3(0.01, 0.02, 0.03), {2, 1, 4}},
           TrianglesShape{corners_m, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}},
           file,
           CapsuleShape{0.01, 0.05, 1},
@@ -170,6 +172,17 @@ TEST_F(Choices, EachShapeHasAGoodSurfaceOfAsManyTrianglesAsItPromises) {
     EXPECT_TRUE(inspectSurface(surface).empty()) << name;
     EXPECT_EQ(trianglesOf(shape).has_value(), !std::holds_alternative<FileShape>(shape)) << name;
     EXPECT_EQ(static_cast<double>(surface.faces.size()), trianglesOf(shape).value_or(4)) << name;
+  }
+}
+
+TEST_F(Choices, EachShapeHasAGoodVolumeInItsSurfaceOrSaysThatItHasNone) {
+  for (const SurfaceShape& shape : shapes()) {
+    const std::string name(catalog().body_shapes[shape.index()].name);
+    const std::optional<TetrahedralMesh> volume = makeTetrahedra(shape);
+    EXPECT_EQ(volume.has_value(), hasTetrahedra(shape)) << name;
+    EXPECT_EQ(volume.has_value(), name != "file" && name != "triangles");
+    if (!volume) continue;
+    EXPECT_TRUE(inspectTetrahedra(*volume, makeSurface(shape, SurfaceFiles(folder_))).empty()) << name;
   }
 }
 

@@ -33,6 +33,24 @@ TEST(Validate, Bodies) {
   });
 }
 
+TEST(Validate, CellsOfABox) {
+  const auto cells = [](int x, int y, int z) {
+    return [=](Scenario& s) { s.bodies[0].shape = BoxShape{{1, 1, 1}, {x, y, z}}; };
+  };
+  for (const auto& good : {cells(1, 1, 128), cells(128, 64, 128), cells(104, 104, 104)}) {
+    Scenario scenario = full();
+    good(scenario);
+    EXPECT_TRUE(validate(scenario).empty());
+  }
+  const char* path = "bodies.ball.shape.cells";
+  expectProblems({{path, cells(0, 1, 1)},
+                  {path, cells(1, -1, 1)},
+                  {path, cells(1, 1, 129)},
+                  {path, cells(128, 65, 128)},
+                  {path, cells(105, 105, 105)}});
+  EXPECT_EQ((BoxShape{{1, 1, 1}, {128, 64, 128}}.triangles()), static_cast<double>(most_triangles));
+}
+
 TEST(Validate, SolverSettings) {
   const auto solver = [](auto field, auto value) {
     return [=](Scenario& s) { s.bodies[0].solver.*field = value; };

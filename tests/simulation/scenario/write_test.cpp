@@ -44,7 +44,7 @@ const char* const every_field =
     "               soft_hardness: 0.13, rigid_split: 0.14, kinematic_split: 0.15, soft_split: 0.16,\n"
     "               node_damping: 0.17, linear_damping: 0.18, angular_damping: 0.19, matching: 0.2}\n"
     "    gauges: [{name: top, box: {min_m: [-1, 1, 2], max_m: [3, 4, 5]}}]\n"
-    "  - {name: cube, shape: {type: box, size_m: [0.1, 0.2, 0.3]}}\n"
+    "  - {name: cube, shape: {type: box, size_m: [0.1, 0.2, 0.3], cells: [3, 4, 5]}}\n"
     "  - name: tetrahedron\n"
     "    shape:\n"
     "      type: triangles\n"
@@ -160,7 +160,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                 {{"top", BoxRegion{{-1, 1, 2}, {3, 4, 5}}}}}));
   EXPECT_EQ(ball.clusters,
             (ClusterSettings{7, 8, 0.11, 0.12, 0.13, 0.14, 0.15, 0.16, 0.17, 0.18, 0.19, 0.2}));
-  EXPECT_EQ(std::get<BoxShape>(s.bodies[1].shape).size_m, Vec3(0.1, 0.2, 0.3));
+  EXPECT_EQ(std::get<BoxShape>(s.bodies[1].shape), (BoxShape{{0.1, 0.2, 0.3}, {3, 4, 5}}));
   const auto& triangles = std::get<TrianglesShape>(s.bodies[2].shape);
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
