@@ -22,8 +22,11 @@ int layerOf(const Point& p) {
 }
 
 std::size_t placeIn(int layers, const Point& p) {
-  const auto side = static_cast<std::size_t>(2 * layers + 1);
-  const auto at = [&](std::size_t axis) { return static_cast<std::size_t>(p[axis] + layers); };
+  const std::size_t side = 2 * static_cast<std::size_t>(layers) + 1;
+  const auto at = [&](std::size_t axis) {
+    const int from_end = p[axis] + layers;
+    return static_cast<std::size_t>(from_end);
+  };
   return at(0) + side * (at(1) + side * at(2));
 }
 
