@@ -17,6 +17,7 @@ void addRecordCases();
 void addOutputCases();
 void addCompareCases();
 void addLawCases();
+void addElasticCases();
 
 /// Registers a benchmark in microseconds. `body` makes one batch of calls, from a state of its own, and gives
 /// what one call took in seconds; it may add counters. Anything it throws becomes the benchmark's error, and

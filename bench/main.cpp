@@ -21,6 +21,11 @@
 //   laws/family, plain               10,000 force laws (20 n x 25 lambda x 20 k) over one step of 60
 //   triangles:
 //                                    LawFamily::evaluate, and each law triangle by triangle
+//   elastic/<tetrahedra>/<how>       a substep of neo-Hookean tissue at a Poisson's ratio of 0.4: one element
+//   at
+//                                    a time (plain), as lanes of the baseline and of the widest instruction
+//                                    set of the machine; of the widest also with the corotated law, with
+//                                    viscosity, and at 0.49, where pressures are averaged
 //
 // Counters are of one call, step or row (record: frames are of the whole run). Those whose names end in _us
 // are times: of each stage of a step (Simulation::stageTimes), medians. All others are exact, the same in
@@ -43,5 +48,6 @@ int main(int argc, char** argv) {
   fissure::bench::addOutputCases();
   fissure::bench::addCompareCases();
   fissure::bench::addLawCases();
+  fissure::bench::addElasticCases();
   return benchmark::RunSpecifiedBenchmarks() > 0 ? 0 : 2;
 }

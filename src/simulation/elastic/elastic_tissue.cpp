@@ -28,8 +28,8 @@ NodalVectors padded(const std::vector<Vec3>& vectors) {
   return field;
 }
 
-/// The number of substeps falls only where this many times the wanted number are still fewer: where it changes,
-/// velocities are not half a substep behind positions for once, and energy is not conserved.
+/// The number of substeps falls only where this many times the wanted number are still fewer: where it
+/// changes, velocities are not half a substep behind positions for once, and energy is not conserved.
 constexpr double kFallMargin = 1.1;
 
 double largestOf(const double (&lanes)[kLanes]) {
@@ -123,7 +123,8 @@ int ElasticTissue::substepsFor(double step_s) {
   const double viscous_trend = std::max(1.0, viscous / a.viscous_growth);
   a.stiffness_growth = stiffness;
   a.viscous_growth = viscous;
-  const double wanted = step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
+  const double wanted =
+      step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
   const auto whole = [](double substeps) {
     return substeps < kMostSubsteps ? std::max(1, static_cast<int>(std::ceil(substeps))) : kMostSubsteps;
   };

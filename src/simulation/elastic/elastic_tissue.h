@@ -27,8 +27,8 @@ struct ElasticEnergies {
 /// A tissue of linear tetrahedra with lumped masses, moved by symplectic Euler in substeps (total Lagrangian
 /// explicit dynamics, Miller, Joldes, Lance, Wittek 2007; METHOD section 10). Results are the same bits on
 /// every instruction set. Poisson's ratios above 0.45 get part of their pressure from nodal averages of the
-/// volume ratio, against locking (see VolumeSplit). Not thread-safe, const functions
-/// neither. Nothing allocates after the construction.
+/// volume ratio, against locking (VolumeSplit). Nothing allocates after the construction. One object belongs
+/// to one thread: const functions use its scratch arrays too.
 class ElasticTissue {
  public:
   /// `surface_vertices`: how many vertices of `rest`, its first, contacts may move. Fixed vertices never
@@ -58,7 +58,7 @@ class ElasticTissue {
   /// after the advance() whose result it corrects, with the same substep; fixed vertices are left out.
   void addMotion(std::span<const Vec3> motion_m, double substep_s);
 
-  /// One per vertex, the surface's first. A caller that changes positions of the surface calls addMotion.
+  /// One per vertex, the surface's first. What a caller changes here without addMotion is in no balance.
   std::span<Vec3> positions_m();
   std::span<const Vec3> positions_m() const;
   std::span<Vec3> velocities_m_s();
@@ -71,8 +71,8 @@ class ElasticTissue {
   int invertedElements() const;  ///< elements of no or negative volume now
   bool finite() const;           ///< whether all positions and velocities are finite numbers
 
-  static constexpr double kStepSafety = 0.9;
-  static constexpr int kMostSubsteps = 10000;
+  static constexpr double kStepSafety = 0.9;   ///< largest substep taken, over the largest stable one
+  static constexpr int kMostSubsteps = 10000;  ///< of a step; more would be a tissue that flies apart
 
  private:
   struct Arrays;

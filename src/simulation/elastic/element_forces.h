@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <vector>
 
 #include "base/tetrahedra.h"
@@ -15,9 +14,10 @@ namespace fissure {
 /// Poisson's ratio of kAveragedAbove, elements keep only the lambda of kElementRatio, and the rest resists
 /// the volume strain averaged at the vertices by volume (average nodal pressure: Bonet, Burton 1998; Joldes,
 /// Wittek, Miller 2009). Its energy is that of the vertices, so forces stay its exact derivative, and where
-/// all of a mesh deforms alike nothing changes. It takes a second pass over the elements. It softens bending
-/// and indentation towards the incompressible limit, but it does not control the pressure of each element,
-/// which may alternate between neighbours.
+/// all of a mesh deforms alike nothing changes. It takes a second pass over the elements. It takes away most
+/// of what locking adds in bending and compression (tests/simulation/elastic/locking_test.cpp has numbers),
+/// but not the stiffness that linear tetrahedra have in bending at any Poisson's ratio; and it does not
+/// control the pressure of each element, which may alternate between neighbours.
 struct VolumeSplit {
   static constexpr double kAveragedAbove = 0.45;
   static constexpr double kElementRatio = 0.3;

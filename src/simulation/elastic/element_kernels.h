@@ -16,8 +16,10 @@ struct ElementArrays {
   int vertices = 0;
   const int* corners = nullptr;  ///< [group][4 corners][lane]: its vertex
   const int* slots = nullptr;    ///< [group][4 corners][lane]: its slot
-  const double* inverse_edges =
-      nullptr;  ///< [group][9][lane]: of the matrix of rest edges from the fourth corner
+  /// [group][9][lane]: inverse of the matrix whose columns are the rest edges from the fourth corner.
+  const double* inverse_edges = nullptr;
+  /// [group][7][lane]: inverse edges times their transpose (00, 01, 02, 11, 12, 22), and their determinant.
+  const double* metrics = nullptr;
   const double* volumes_m3 = nullptr;  ///< [group][lane], at rest; 0 for lanes that fill up the last group
   const int* first_slots = nullptr;    ///< [vertices + 1]: where the slots of a vertex begin
 };

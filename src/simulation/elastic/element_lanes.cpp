@@ -47,6 +47,7 @@ ElementLanes::ElementLanes(const TetrahedralMesh& rest) {
   corners.resize(4 * lanes);
   slots.resize(4 * lanes);
   inverse_edges.resize(9 * lanes);
+  metrics.resize(7 * lanes);
   volumes_m3.resize(lanes);
   vertex_volumes_m3.resize(rest.vertices_m.size());
 
@@ -62,6 +63,10 @@ ElementLanes::ElementLanes(const TetrahedralMesh& rest) {
     const std::size_t group = lane / kLanes, in_group = lane % kLanes;
     const Mat3 edges = restEdges(rest, tetrahedron), inverse = edges.inverse();
     for (int k = 0; k < 9; ++k) inverse_edges[(9 * group + k) * kLanes + in_group] = inverse(k / 3, k % 3);
+    const Mat3 metric = inverse * inverse.transpose();
+    const double of_metric[] = {metric(0, 0), metric(0, 1), metric(0, 2),         metric(1, 1),
+                                metric(1, 2), metric(2, 2), inverse.determinant()};
+    for (int k = 0; k < 7; ++k) metrics[(7 * group + k) * kLanes + in_group] = of_metric[k];
     const bool real = lane < elements;
     volumes_m3[lane] = real ? -edges.determinant() / 6 : 0;
     for (int c = 0; c < 4; ++c) {
@@ -74,13 +79,14 @@ ElementLanes::ElementLanes(const TetrahedralMesh& rest) {
 }
 
 ElementArrays ElementLanes::view() const {
-  return {groups,
-          static_cast<int>(vertex_volumes_m3.size()),
-          corners.data(),
-          slots.data(),
-          inverse_edges.data(),
-          volumes_m3.data(),
-          first_slots.data()};
+  return {.groups = groups,
+          .vertices = static_cast<int>(vertex_volumes_m3.size()),
+          .corners = corners.data(),
+          .slots = slots.data(),
+          .inverse_edges = inverse_edges.data(),
+          .metrics = metrics.data(),
+          .volumes_m3 = volumes_m3.data(),
+          .first_slots = first_slots.data()};
 }
 
 }  // namespace fissure

@@ -19,7 +19,7 @@ struct ElementLanes {
 
   int groups = 0;
   std::vector<int> corners, slots, first_slots;
-  std::vector<double> inverse_edges, volumes_m3;
+  std::vector<double> inverse_edges, metrics, volumes_m3;
   std::vector<double> vertex_volumes_m3;  ///< a quarter of what meets at each vertex
   std::size_t slot_count = 0;
 };

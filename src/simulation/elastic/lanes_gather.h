@@ -14,6 +14,18 @@ struct Vectors {
 inline Vectors operator-(const Vectors& a, const Vectors& b) {
   return {a.x - b.x, a.y - b.y, a.z - b.z};
 }
+inline Vectors operator+(const Vectors& a, const Vectors& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vectors operator*(const Lanes& factor, const Vectors& a) {
+  return {factor * a.x, factor * a.y, factor * a.z};
+}
+inline Lanes dot(const Vectors& a, const Vectors& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vectors cross(const Vectors& a, const Vectors& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
 
 #if FISSURE_LANE_WIDTH > 2
 /// Rows of three numbers, and one more that is not used, as columns.

@@ -80,7 +80,8 @@ inline Matrices nearestRotation(const Matrices& f, const Matrices& cofactor, con
   return r;
 }
 
-/// First Piola-Kirchhoff stress (material.h); `pressure` is that of nodal averages.
+/// First Piola-Kirchhoff stress of the laws that are written in F (material.h); `pressure` is that of nodal
+/// averages.
 template <ElementModel model>
 inline Matrices stress(const Matrices& f, const ElementLaw& law, const Lanes& pressure) {
   Matrices p;
@@ -89,39 +90,14 @@ inline Matrices stress(const Matrices& f, const ElementLaw& law, const Lanes& pr
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) p.at[a][b] = law.mu_Pa * (f.at[a][b] + f.at[b][a]);
     for (int a = 0; a < 3; ++a) p.at[a][a] += of_volume;
-    return p;
-  }
-  const Matrices cofactor = cofactors(f);
-  const Lanes j = determinant(f, cofactor), i = normSquared(f);
-  Lanes of_f, of_other;
-  Matrices other = cofactor;
-  if constexpr (model == ElementModel::neo_hookean) {
-    of_f = law.mu_Pa * i / (i + 1.0);
-    of_other = law.lambda_Pa * (j - law.alpha) + pressure;
   } else {
-    const Lanes trace = rotationTrace(i, normSquared(cofactor), j);
-    other = nearestRotation(f, cofactor, trace);
-    of_f = all(2 * law.mu_Pa);
-    of_other = law.lambda_Pa * (trace - 3.0) - 2 * law.mu_Pa + pressure;
+    const Matrices cofactor = cofactors(f);
+    const Lanes trace = rotationTrace(normSquared(f), normSquared(cofactor), determinant(f, cofactor));
+    const Matrices rotation = nearestRotation(f, cofactor, trace);
+    const Lanes of_rotation = law.lambda_Pa * (trace - 3.0) - 2 * law.mu_Pa + pressure;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b) p.at[a][b] = 2 * law.mu_Pa * f.at[a][b] + of_rotation * rotation.at[a][b];
   }
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b) p.at[a][b] = of_f * f.at[a][b] + of_other * other.at[a][b];
-  return p;
-}
-
-/// Viscous part of it: F S with S = eta (F^T L + L^T F), L = dF/dt.
-inline Matrices viscousStress(const Matrices& f, const Matrices& rate, double viscosity_Pa_s) {
-  Lanes s[3][3];
-  for (int a = 0; a < 3; ++a)
-    for (int b = a; b < 3; ++b) {
-      Lanes sum = f.at[0][a] * rate.at[0][b] + rate.at[0][a] * f.at[0][b];
-      for (int k = 1; k < 3; ++k) sum += f.at[k][a] * rate.at[k][b] + rate.at[k][a] * f.at[k][b];
-      s[a][b] = s[b][a] = viscosity_Pa_s * sum;
-    }
-  Matrices p;
-  for (int a = 0; a < 3; ++a)
-    for (int b = 0; b < 3; ++b)
-      p.at[a][b] = f.at[a][0] * s[0][b] + f.at[a][1] * s[1][b] + f.at[a][2] * s[2][b];
   return p;
 }
 

@@ -2,7 +2,7 @@
 
 // What is measured of all elements for one instruction set: energy and stretch. Internal linkage, as lanes.h.
 
-#include "elastic/lanes_passes.h"
+#include "elastic/lanes_elements.h"
 
 namespace fissure {
 namespace {
@@ -28,9 +28,7 @@ void elementEnergy(const ElementArrays& arrays, const ElementLaw& law, const dou
   for (int group = 0; group < arrays.groups; ++group)
     for (int lane = 0; lane < kLanes; lane += kWidth) {
       const Elements some = elements(arrays, group, lane);
-      Lanes b[3][3];
-      inverseEdges(some, b);
-      const Matrices f = gradient(some, b, positions_m), cofactor = cofactors(f);
+      const Matrices f = gradient(some, positions_m), cofactor = cofactors(f);
       const Lanes i = normSquared(f), j = determinant(f, cofactor);
       Lanes density;
       if (law.model == ElementModel::neo_hookean) {
@@ -68,9 +66,7 @@ void elementStretch(const ElementArrays& arrays, const ElementLaw& law, const do
   for (int group = 0; group < arrays.groups; ++group)
     for (int lane = 0; lane < kLanes; lane += kWidth) {
       const Elements some = elements(arrays, group, lane);
-      Lanes b[3][3];
-      inverseEdges(some, b);
-      const Matrices f = gradient(some, b, positions_m), cofactor = cofactors(f);
+      const Matrices f = gradient(some, positions_m), cofactor = cofactors(f);
       const Lanes largest_stretch_squared = largestEigenvalue(normSquared(f), normSquared(cofactor));
       const Lanes stiffness = stiffnessGrowth(law, f, largest_stretch_squared);
       const Mask inverted = (determinant(f, cofactor) <= 0.0) & (some.volumes_m3 > 0.0);

@@ -2,58 +2,58 @@
 
 // Forces and volume strains of all elements for one instruction set. Internal linkage, as lanes.h.
 
-#include "elastic/lanes_gather.h"
-#include "elastic/lanes_law.h"
+#include "elastic/lanes_elements.h"
 
 namespace fissure {
 namespace {
 
-/// `kWidth` elements of a group.
-struct Elements {
-  const int* corners;
-  const int* slots;
-  const double* inverse_edges;
-  Lanes volumes_m3;
-};
-
-inline Elements elements(const ElementArrays& arrays, int group, int lane) {
-  return {arrays.corners + 4L * kLanes * group + lane, arrays.slots + 4L * kLanes * group + lane,
-          arrays.inverse_edges + 9L * kLanes * group + lane,
-          load<Lanes>(arrays.volumes_m3 + 1L * kLanes * group + lane)};
+/// Forces of a stress on the first three corners: -V P B^T, B the inverse of the matrix of rest edges.
+template <ElementModel model>
+inline Edges stressForces(const Elements& some, const ElementLaw& law, const Edges& d,
+                          const Lanes& pressure) {
+  const InverseEdges b = inverseEdges(some);
+  const Matrices p = stress<model>(gradient(b, d), law, pressure);
+  const Lanes scale = -some.volumes_m3;
+  Edges forces;
+  for (int c = 0; c < 3; ++c)
+    forces.at[c] = {scale * (p.at[0][0] * b.at[c][0] + p.at[0][1] * b.at[c][1] + p.at[0][2] * b.at[c][2]),
+                    scale * (p.at[1][0] * b.at[c][0] + p.at[1][1] * b.at[c][1] + p.at[1][2] * b.at[c][2]),
+                    scale * (p.at[2][0] * b.at[c][0] + p.at[2][1] * b.at[c][1] + p.at[2][2] * b.at[c][2])};
+  return forces;
 }
 
-inline void inverseEdges(const Elements& elements, Lanes (&b)[3][3]) {
-  for (int k = 0; k < 9; ++k) b[k / 3][k % 3] = load<Lanes>(elements.inverse_edges + kLanes * k);
+/// The same of the neo-Hookean law, which needs no F: with the edges D and the metric G, I_C = D . D G, and
+/// the forces are -V mu' I_C / (I_C + 1) D G + lambda' (J - alpha) cof D / 6. A lane that fills up a group
+/// has no volume, and what it writes is never read.
+inline Edges neoHookeanForces(const Elements& some, const ElementLaw& law, const Edges& d,
+                              const Edges& d_metric, const Lanes& pressure) {
+  const Edges area = areas(d);
+  const Lanes j = dot(d.at[0], area.at[0]) * load<Lanes>(some.metrics + 6 * kLanes);
+  const Lanes i = dot(d.at[0], d_metric.at[0]) + dot(d.at[1], d_metric.at[1]) + dot(d.at[2], d_metric.at[2]);
+  const Lanes of_metric = -law.mu_Pa * some.volumes_m3 * i / (i + 1.0);
+  const Lanes of_area = (law.lambda_Pa * (j - law.alpha) + pressure) * (1.0 / 6);
+  Edges forces;
+  for (int c = 0; c < 3; ++c) forces.at[c] = of_metric * d_metric.at[c] + of_area * area.at[c];
+  return forces;
 }
 
-/// The gradient by the rest position of what is given at the vertices.
-inline Matrices gradient(const Elements& elements, const Lanes (&b)[3][3], const double* values) {
-  const Vectors fourth = gather(values, elements.corners + 3 * kLanes);
-  Vectors edges[3];
-  for (int c = 0; c < 3; ++c) edges[c] = gather(values, elements.corners + kLanes * c) - fourth;
-  Matrices f;
-  for (int j = 0; j < 3; ++j) {
-    f.at[0][j] = edges[0].x * b[0][j] + edges[1].x * b[1][j] + edges[2].x * b[2][j];
-    f.at[1][j] = edges[0].y * b[0][j] + edges[1].y * b[1][j] + edges[2].y * b[2][j];
-    f.at[2][j] = edges[0].z * b[0][j] + edges[1].z * b[1][j] + edges[2].z * b[2][j];
-  }
-  return f;
-}
-
-/// Writes the forces of a stress on the corners.
-inline void scatterForces(const Elements& elements, const Lanes (&b)[3][3], const Matrices& stress,
-                          double* to) {
-  Lanes sums[3] = {};
-  for (int c = 0; c < 3; ++c) {
-    Lanes force[3];
-    for (int i = 0; i < 3; ++i) {
-      const Lanes flux = stress.at[i][0] * b[c][0] + stress.at[i][1] * b[c][1] + stress.at[i][2] * b[c][2];
-      force[i] = -elements.volumes_m3 * flux;
-      sums[i] += force[i];
-    }
-    scatter({force[0], force[1], force[2]}, elements.slots + kLanes * c, to);
-  }
-  scatter({-sums[0], -sums[1], -sums[2]}, elements.slots + 3 * kLanes, to);
+/// Forces of the viscous stress F S, S = eta (F^T L + L^T F), L = dF/dt: -V eta D G M G with M = D^T W + W^T
+/// D, W the rates of the edges.
+inline Edges viscousForces(const Elements& some, const ElementLaw& law, const Edges& d, const Edges& d_metric,
+                           const Edges& rate) {
+  // Columns of M, and of M G.
+  const Lanes m00 = 2.0 * dot(d.at[0], rate.at[0]), m11 = 2.0 * dot(d.at[1], rate.at[1]),
+              m22 = 2.0 * dot(d.at[2], rate.at[2]);
+  const Lanes m01 = dot(d.at[0], rate.at[1]) + dot(d.at[1], rate.at[0]);
+  const Lanes m02 = dot(d.at[0], rate.at[2]) + dot(d.at[2], rate.at[0]);
+  const Lanes m12 = dot(d.at[1], rate.at[2]) + dot(d.at[2], rate.at[1]);
+  const Edges y = timesMetric(some, {{{m00, m01, m02}, {m01, m11, m12}, {m02, m12, m22}}});
+  const Lanes scale = -law.viscosity_Pa_s * some.volumes_m3;
+  Edges forces;
+  for (int c = 0; c < 3; ++c)
+    forces.at[c] =
+        scale * (y.at[c].x * d_metric.at[0] + y.at[c].y * d_metric.at[1] + y.at[c].z * d_metric.at[2]);
+  return forces;
 }
 
 template <ElementModel model, bool viscous, bool averaged>
@@ -61,17 +61,19 @@ void forcesOf(const ElementArrays& arrays, const ElementLaw& law, const ForcePas
   for (int group = 0; group < arrays.groups; ++group)
     for (int lane = 0; lane < kLanes; lane += kWidth) {
       const Elements some = elements(arrays, group, lane);
-      Lanes b[3][3];
-      inverseEdges(some, b);
-      const Matrices f = gradient(some, b, pass.positions_m);
+      const Edges d = edges(some, pass.positions_m);
       Lanes pressure = {};
       if constexpr (averaged) {
         for (int c = 0; c < 4; ++c) pressure += gatherNumbers(pass.pressures_Pa, some.corners + kLanes * c);
         pressure *= 0.25;
       }
-      scatterForces(some, b, stress<model>(f, law, pressure), pass.forces_N);
+      if constexpr (model == ElementModel::neo_hookean)
+        scatterForces(some, neoHookeanForces(some, law, d, timesMetric(some, d), pressure), pass.forces_N);
+      else
+        scatterForces(some, stressForces<model>(some, law, d, pressure), pass.forces_N);
       if constexpr (viscous)
-        scatterForces(some, b, viscousStress(f, gradient(some, b, pass.velocities_m_s), law.viscosity_Pa_s),
+        scatterForces(some,
+                      viscousForces(some, law, d, timesMetric(some, d), edges(some, pass.velocities_m_s)),
                       pass.viscous_forces_N);
     }
 }
@@ -102,18 +104,15 @@ void elementVolumeStrains(const ElementArrays& arrays, const ElementLaw& law, co
   for (int group = 0; group < arrays.groups; ++group)
     for (int lane = 0; lane < kLanes; lane += kWidth) {
       const Elements some = elements(arrays, group, lane);
-      Lanes b[3][3];
-      inverseEdges(some, b);
-      const Matrices f = gradient(some, b, positions_m);
+      const Edges d = edges(some, positions_m);
       Lanes strain;
-      if (law.model == ElementModel::small_strain) {
-        strain = f.at[0][0] + f.at[1][1] + f.at[2][2];
+      if (law.model == ElementModel::neo_hookean) {
+        strain = dot(d.at[0], cross(d.at[1], d.at[2])) * load<Lanes>(some.metrics + 6 * kLanes) - 1.0;
       } else {
-        const Matrices cofactor = cofactors(f);
-        const Lanes j = determinant(f, cofactor);
-        strain = law.model == ElementModel::neo_hookean
-                     ? j - 1.0
-                     : rotationTrace(normSquared(f), normSquared(cofactor), j) - 3.0;
+        const Matrices f = gradient(inverseEdges(some), d), cofactor = cofactors(f);
+        strain = law.model == ElementModel::small_strain
+                     ? f.at[0][0] + f.at[1][1] + f.at[2][2]
+                     : rotationTrace(normSquared(f), normSquared(cofactor), determinant(f, cofactor)) - 3.0;
       }
       strain *= some.volumes_m3;
       for (int c = 0; c < 4; ++c) scatterNumbers(strain, some.slots + kLanes * c, slots);

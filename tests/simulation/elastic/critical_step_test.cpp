@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 #include "block_mesh.h"
@@ -140,6 +141,62 @@ TEST(CriticalStep, FollowsTheStretch) {
           EXPECT_GT(tissue.criticalStep_s(), 0.5 * limit_s) << stretch.name << " " << ratio;
         }
   }
+}
+
+// With viscosity too: the inside of a block whose surface is held stretched. Compressed corotated elements
+// are left out, which buckle at any step (material.h).
+TEST(CriticalStep, HoldsForViscousTissueThatIsStretched) {
+  const BlockMesh block = makeBlock({.cells = {4, 4, 4}, .irregularity = 0.4});
+  std::vector<int> surface;
+  for (int v = 0; v < block.surface_vertices; ++v) surface.push_back(v);
+  for (const MaterialModel model : kModels)
+    for (const double viscosity : {0.0, 0.5, 3.0, 20.0})
+      for (const Stretch& stretch : stretches()) {
+        if (model == MaterialModel::linear_corotated && stretch.gradient.determinant() < 0.67) continue;
+        ElasticTissue tissue(block.mesh, {model, 1e4, 0.4, 1000, viscosity}, surface, 0, Vec3::Zero());
+        for (std::size_t v = 0; v < block.mesh.vertices_m.size(); ++v)
+          tissue.positions_m()[v] = stretch.gradient * block.mesh.vertices_m[v];
+        tissue.substepsFor(1e-3);
+        EXPECT_LT(growth(tissue, ElasticTissue::kStepSafety * tissue.criticalStep_s(), 200), 100)
+            << stretch.name << " " << viscosity;
+      }
+}
+
+struct Pulled {
+  int first_substeps = 0, last_substeps = 0;
+  bool calm = false;  ///< finite, and hardly moving at the end
+};
+
+/// A sheet whose rim is pulled outwards to 1.7 of its size in 0.1 s and held there, in steps of 1 ms.
+Pulled pullSheet(bool watched) {
+  const BlockMesh block = makeBlock({.cells = {5, 5, 2}, .size_m = {0.04, 0.04, 0.008}, .irregularity = 0.3});
+  ElasticTissue tissue(block.mesh, {MaterialModel::neo_hookean, 1e4, 0.45, 1000, 0.5}, {}, 0, Vec3::Zero());
+  const auto rim =
+      block.where([](const Vec3& p) { return p.x() == 0 || p.x() == 0.04 || p.y() == 0 || p.y() == 0.04; });
+  Pulled pulled;
+  pulled.first_substeps = tissue.substepsFor(1e-3);
+  double time_s = 0;
+  for (int step = 0; step < 300 && tissue.finite(); ++step) {
+    pulled.last_substeps = watched ? tissue.substepsFor(1e-3) : pulled.first_substeps;
+    for (int i = 0; i < pulled.last_substeps; ++i) {
+      tissue.advance(1e-3 / pulled.last_substeps);
+      time_s += 1e-3 / pulled.last_substeps;
+      const double stretch = 1 + 0.7 * std::min(1.0, time_s / 0.1);
+      for (const int v : rim) {
+        tissue.positions_m()[v].head<2>() = stretch * block.mesh.vertices_m[v].head<2>();
+        tissue.velocities_m_s()[v].head<2>().setZero();
+      }
+    }
+  }
+  pulled.calm = tissue.finite() && tissue.energies().kinetic_J < 1e-5 * tissue.energies().stored_J;
+  return pulled;
+}
+
+TEST(CriticalStep, SubstepsRiseBeforeTheLimitIsMet) {
+  const Pulled watched = pullSheet(true), not_watched = pullSheet(false);
+  EXPECT_TRUE(watched.calm);
+  EXPECT_FALSE(not_watched.calm);
+  EXPECT_GT(watched.last_substeps, 1.5 * watched.first_substeps);
 }
 
 }  // namespace

@@ -81,7 +81,7 @@ TEST(Recovery, OfAnElementThatIsCrushedOrInverted) {
   const TetrahedralMesh rest = {{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0.003, 0.002, 0.012}},
                                 {{0, 1, 2, 3}}};
   for (const MaterialModel model : kModels)
-    for (const double ratio : {0.0, 0.3, 0.45}) {
+    for (const double ratio : {0.0, 0.3, 0.45, 0.49}) {
       for (const bool inverted : {false, true}) {
         ElasticTissue tissue(rest, {model, 1e4, ratio, 1000, 1}, {}, 4, Vec3::Zero());
         if (inverted)
