@@ -14,7 +14,9 @@ struct UnitEnding {
 };
 
 // An ending before those that it ends with.
-constexpr std::array<UnitEnding, 16> endings = {{{"_N_s_m", "N s m-1"},
+constexpr std::array<UnitEnding, 18> endings = {{{"_N_s_m", "N s m-1"},
+                                                 {"_Pa_s", "Pa s"},
+                                                 {"_1_s", "s-1"},
                                                  {"_N_m", "N m-1"},
                                                  {"_kg_m3", "kg m-3"},
                                                  {"_m_s2", "m s-2"},

@@ -22,6 +22,9 @@ TEST(SummaryUnit, OfUnitsThatEndWithAnother) {
   EXPECT_EQ(summaryUnit("gravity_m_s2"), "m s-2");
   EXPECT_EQ(summaryUnit("air_density_kg_m3"), "kg m-3");
   EXPECT_EQ(summaryUnit("mass_kg"), "kg");
+  EXPECT_EQ(summaryUnit("max_pressure_Pa"), "Pa");
+  EXPECT_EQ(summaryUnit("viscosity_Pa_s"), "Pa s");
+  EXPECT_EQ(summaryUnit("mass_damping_1_s"), "s-1");
   EXPECT_EQ(summaryUnit("field_of_view_deg"), "degree");
   EXPECT_EQ(summaryUnit("memory_mb"), "MiB");
 }
