@@ -28,10 +28,6 @@ NodalVectors padded(const std::vector<Vec3>& vectors) {
   return field;
 }
 
-/// The number of substeps falls only where this many times the wanted number are still fewer: where it
-/// changes, velocities are not half a substep behind positions for once, and energy is not conserved.
-constexpr double kFallMargin = 1.1;
-
 double largestOf(const double (&lanes)[kLanes]) {
   return *std::max_element(lanes, lanes + kLanes);
 }
@@ -125,13 +121,9 @@ int ElasticTissue::substepsFor(double step_s) {
   a.viscous_growth = viscous;
   const double wanted =
       step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
-  const auto whole = [](double substeps) {
-    return substeps < kMostSubsteps ? std::max(1, static_cast<int>(std::ceil(substeps))) : kMostSubsteps;
-  };
-  if (step_s != a.step_s || whole(wanted) > a.substeps)
-    a.substeps = whole(wanted);
-  else
-    a.substeps = std::min(a.substeps, whole(kFallMargin * wanted));
+  if (step_s != a.step_s) a.substeps = 1;
+  const int whole = wanted < kMostSubsteps ? static_cast<int>(std::ceil(wanted)) : kMostSubsteps;
+  a.substeps = std::max(a.substeps, whole);
   a.step_s = step_s;
   return a.substeps;
 }

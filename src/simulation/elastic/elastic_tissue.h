@@ -46,8 +46,9 @@ class ElasticTissue {
 
   /// How many equal substeps a step of `step_s` needs now: each at most kStepSafety of the largest stable
   /// one, which is looked for in the present shape, and is foreseen to shrink as much again as it did since
-  /// the last call. Falls later than it rises, so that it does not flicker. Called once a step. At least 1,
-  /// at most kMostSubsteps.
+  /// the last call. It never falls while step_s stays the same: each change costs an error of the energy
+  /// balance, since velocities are half a substep behind positions, and tissue that vibrates would make many.
+  /// Called once a step. At least 1, at most kMostSubsteps.
   int substepsFor(double step_s);
 
   /// One substep: forces, velocities, positions.
