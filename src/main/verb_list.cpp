@@ -34,7 +34,7 @@ std::string defaultsOf(const ForceLawEntry& law) {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 22> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 23> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {tissues_title, tables.tissues},
                                         {"body shapes", tables.body_shapes},
@@ -48,6 +48,7 @@ int listCatalog() {
                                         {"device frames", tables.device_frames},
                                         {"settings", tables.settings},
                                         {"responses", tables.responses},
+                                        {"ground contacts", tables.ground_contacts},
                                         {"precisions", tables.precisions},
                                         {"rates", tables.rates},
                                         {"deformations", tables.deformations},

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <chrono>
+#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/stage_times.h"
+#include "contact/half_space.h"
 #include "engine/pipeline.h"
 
 namespace fissure {
@@ -22,6 +24,13 @@ void fillBodies(const Scenario& scenario, Settings& settings) {
   if (std::any_of(tools.begin(), tools.end(), [](const ToolSettings& tool) { return tool.friction > 0; })) {
     for (const ToolSettings& tool : tools) settings.tool_frictions.push_back(tool.friction);
   }
+}
+
+/// The ground of a contact method of ours that stands on its own; else none.
+inline std::optional<HalfSpace> halfSpaceOf(const PipelineContext& context) {
+  const std::optional<GroundSettings>& ground = context.scenario.ground;
+  if (!ground || !context.settings.ownGround()) return std::nullopt;
+  return HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
 }
 
 /// A contact method of ours after Bullet's own solve; the tools are no bodies of Bullet's world.

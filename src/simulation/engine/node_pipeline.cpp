@@ -15,7 +15,8 @@ NodeContactSettings contactSettings(const PipelineContext& context) {
                                .margins_m = {},
                                .time_scales = {},
                                .body_frictions = {},
-                               .tool_frictions = {}};
+                               .tool_frictions = {},
+                               .ground = halfSpaceOf(context)};
   fillBodies(context.scenario, settings);
   return settings;
 }

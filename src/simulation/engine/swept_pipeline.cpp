@@ -14,11 +14,9 @@ SweptContactSettings sweptSettings(const PipelineContext& context) {
                                 .time_scales = {},
                                 .body_frictions = {},
                                 .tool_frictions = {},
-                                .ground = {},
+                                .ground = halfSpaceOf(context),
                                 .single_precision = enginePrecision() == Precision::f32};
   fillBodies(context.scenario, settings);
-  if (const std::optional<GroundSettings>& ground = context.scenario.ground)
-    settings.ground = HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
   return settings;
 }
 
