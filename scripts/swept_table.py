@@ -44,8 +44,11 @@ CHECKED = [
 # Folds of tissue at contacts, where the tool is slow: scene, and what was measured of it.
 REASONS = {
     "fissure_retract": "the blades push the walls of the slit 10 mm aside, farther than the triangles behind the walls' rim are wide, 6.7 mm: "
-    "these are crushed to a tenth of their area or less and lie flat on the blade; with 9 mm none is inverted, with finer tissue (7 and 5 mm) "
-    "none folds at a contact; under `fukuhara` 2 are inverted with 12 mm and 55 with 14 mm (swept: 8 and 7)",
+    "these are crushed to a tenth of their area or less and lie flat on the blade. The blades overlap the slit by 0.25 mm a side and press its "
+    "rims down with their narrow faces, and without friction the rims slide on them, from 7.1 to 10.3 mm off their middles, round their corners: "
+    "with friction 1 at the blades 6 are inverted, in a slit of 5 mm 12, with both none (0.5 m/s); steps of 1/8 ms leave all 23. With 9 mm none is "
+    "inverted, with finer tissue (7 and 5 mm) none folds at a contact; under `fukuhara`, whose nodes stand on the large faces alone, 2 are inverted "
+    "with 12 mm and 55 with 14 mm (swept: 8 and 7)",
 }
 HEAD = """# Pipeline swept: scenes x speeds x steps
 

@@ -113,8 +113,8 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
   std::cout << "  simulate: " << plan.steps << " steps\n";
   if (scenario.ground)
     std::cout << "  ground: "
-              << (plan.pipeline->traits().own_ground ? "an obstacle of the pipeline's own contacts"
-                                                     : "Bullet's contact, which gives way under load")
+              << (plan.pipeline->ownGround() ? "an obstacle of the pipeline's own contacts"
+                                             : "Bullet's contact, which gives way under load")
               << "\n";
   if (plan.nodes > 0) std::cout << "  detect: " << plan.nodes << " tool nodes\n";
   for (const ForceSettings& law : scenario.force)

@@ -51,11 +51,12 @@ TEST(Verbs, ListNamesTheWholeCatalog) {
   const Folder folder;
   const std::string out = runFissure(folder, {"list"}).out;
   const Catalog& tables = catalog();
-  for (const auto* table : {&tables.pipelines, &tables.force_laws, &tables.tissues, &tables.body_shapes,
-                            &tables.tool_shapes, &tables.clamp_openings, &tables.node_placements,
-                            &tables.motions, &tables.timings, &tables.interpolations, &tables.settings,
-                            &tables.precisions, &tables.responses, &tables.log_layouts, &tables.device_frames,
-                            &tables.rates, &tables.deformations, &tables.aero_models, &tables.soft_contacts})
+  for (const auto* table :
+       {&tables.pipelines,    &tables.force_laws,     &tables.tissues,         &tables.body_shapes,
+        &tables.tool_shapes,  &tables.clamp_openings, &tables.node_placements, &tables.motions,
+        &tables.timings,      &tables.interpolations, &tables.settings,        &tables.precisions,
+        &tables.responses,    &tables.log_layouts,    &tables.device_frames,   &tables.rates,
+        &tables.deformations, &tables.aero_models,    &tables.soft_contacts,   &tables.ground_contacts})
     for (const CatalogEntry& entry : *table) {
       EXPECT_NE(out.find("  " + std::string(entry.name) + " "), std::string::npos) << entry.name;
       EXPECT_NE(out.find(entry.description), std::string::npos) << entry.name;

@@ -5,11 +5,26 @@
 namespace fissure {
 
 namespace {
-constexpr double kOpposed = -0.5;  ///< cosine between normals of contacts that press against each other
+constexpr double kOpposed = -0.5;    ///< cosine between normals of contacts that press against each other
+constexpr double kReachMargins = 3;  ///< vertices nearer than this many margins get a contact
+
+std::vector<double> vertexFrictions(const Scene& scene, std::span<const double> body_frictions) {
+  std::vector<double> frictions;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    frictions.insert(frictions.end(), scene.bodies[b].rest.vertices_m.size(),
+                     body_frictions.empty() ? 0 : body_frictions[b]);
+  return frictions;
 }
+
+}  // namespace
 
 GroundContact::GroundContact(const HalfSpace& ground, double reach_m, std::vector<double> frictions)
     : ground_(ground), reach_m_(reach_m), frictions_(std::move(frictions)), noted_(frictions_.size()) {}
+
+GroundContact::GroundContact(const HalfSpace& ground, const Scene& scene, std::span<const double> margins_m,
+                             std::span<const double> body_frictions)
+    : GroundContact(ground, kReachMargins * *std::max_element(margins_m.begin(), margins_m.end()),
+                    vertexFrictions(scene, body_frictions)) {}
 
 void GroundContact::begin(const StepView& step) {
   for (std::size_t v = 0; v < noted_.size(); ++v)

@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "base/scene.h"
 #include "contact/contact_constraint.h"
 #include "contact/half_space.h"
 #include "contact/step_view.h"
@@ -18,6 +19,10 @@ class GroundContact {
   /// Vertices that start or end a step lower than `reach_m` get a contact. frictions: one a vertex, of its
   /// body.
   GroundContact(const HalfSpace& ground, double reach_m, std::vector<double> frictions);
+  /// Under all bodies, each with its own margin, of which the reach is three of the largest, and its own
+  /// coefficient; no coefficients: frictionless.
+  GroundContact(const HalfSpace& ground, const Scene& scene, std::span<const double> margins_m,
+                std::span<const double> body_frictions);
 
   /// Forgets the contacts of the last step, and notes the vertices that are in reach before this one or after
   /// the engine's solve in it.

@@ -17,6 +17,8 @@ NodeContact::NodeContact(const Scene& scene, NodeContactSettings settings)
   }
   if (settings_.response == ContactResponse::momentum)
     impulses_.emplace(scene.vertexCount(), settings_.sweeps);
+  if (settings_.ground)
+    ground_.emplace(*settings_.ground, scene, settings_.margins_m, settings_.body_frictions);
   put_inside_.assign(scene.tools.size(), 1);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const std::size_t vertices = scene.bodies[b].rest.vertices_m.size();
@@ -40,6 +42,8 @@ void NodeContact::step(const StepView& step, std::span<const double> inverse_mas
   clock.lap(times_.vertex_contacts_s);
   if (patch.tools.size() > 1) noteDisplacements(step.positions_m);
   outcome.reaction_on_tool_N = respond(step, inverse_masses);
+  if (ground_)
+    outcome.ground_reaction_N = -impulses_->ofTool(kGround, force_factors_) / (step.dt_s * step.dt_s);
   shareReaction(step.dt_s, outcome.tool_reactions_N);
   outcome.tool_work_J = impulses_ ? impulses_->toolWork_kg_m2() / (step.dt_s * step.dt_s)
                                   : std::numeric_limits<double>::quiet_NaN();
@@ -59,11 +63,31 @@ const DisplacementCounts& NodeContact::displacementCounts() const {
 Vec3 NodeContact::respond(const StepView& step, std::span<const double> inverse_masses) {
   const double dt_squared = step.dt_s * step.dt_s;
   if (impulses_) {
-    impulses_->apply(constraints_, inverse_masses, step);
+    if (ground_)
+      respondOnGround(step, inverse_masses);
+    else
+      impulses_->apply(constraints_, inverse_masses, step);
     return -impulses_->total(force_factors_) / dt_squared;
   }
   displacement_.apply(constraints_, inverse_masses, step.positions_m);
   return -displacement_.movedMass(inverse_masses, step.positions_m, force_factors_) / dt_squared;
+}
+
+// What a response brings below the ground, from beyond its reach, gets a contact in the next one.
+void NodeContact::respondOnGround(const StepView& step, std::span<const double> inverse_masses) {
+  constexpr int kMostResponses = 5;
+  const std::size_t of_tools = constraints_.size();
+  for (ContactConstraint& contact : constraints_) ground_->makeRoomUnder(contact);
+  solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
+  ground_->begin(step);
+  bool below = true;
+  for (int response = 0; below && response < kMostResponses; ++response) {
+    std::copy(solved_m_.begin(), solved_m_.end(), step.positions_m.begin());
+    ground_->append(constraints_);
+    impulses_->apply(constraints_, inverse_masses, step);
+    constraints_.resize(of_tools);
+    below = ground_->findBelow(step.positions_m, inverse_masses);
+  }
 }
 
 // Enforced displacement mixes at a vertex what several tools displace there: then nobody can say.

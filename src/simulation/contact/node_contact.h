@@ -12,6 +12,7 @@
 #include "contact/contact_impulses.h"
 #include "contact/contact_patch.h"
 #include "contact/enforced_displacement.h"
+#include "contact/ground_contact.h"
 #include "contact/node_association.h"
 #include "contact/node_rays.h"
 #include "contact/rim_edges.h"
@@ -35,6 +36,7 @@ struct NodeContactSettings {
   /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's (as Bullet's SDF
   /// contact has it); empty: frictionless. Response momentum only: without it there is no force to rub with.
   std::vector<double> body_frictions, tool_frictions;
+  std::optional<HalfSpace> ground = {};  ///< no value: none of this method's; response momentum only
 };
 
 /// Wall time of NodeContact's steps so far, seconds.
@@ -71,6 +73,7 @@ class NodeContact {
   void collectConstraints();
   /// Moves the tissue; the reaction on the tools, newtons: a body's momentum over its own time.
   Vec3 respond(const StepView& step, std::span<const double> inverse_masses);
+  void respondOnGround(const StepView& step, std::span<const double> inverse_masses);
   void shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N) const;
   void noteToolsPutInside();
   void limitDisplacement(NodeCandidate& candidate) const;
@@ -85,6 +88,7 @@ class NodeContact {
   std::optional<RimEdges> rim_edges_;
   EnforcedDisplacement displacement_;
   std::optional<ContactImpulses> impulses_;  ///< response momentum
+  std::optional<GroundContact> ground_;
   int node_count_;
   std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
   std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
@@ -95,8 +99,10 @@ class NodeContact {
   std::vector<std::uint8_t> put_inside_;
   bool first_step_ = true;
   std::vector<NodeCandidate> candidates_;
-  std::vector<ContactConstraint> constraints_;  ///< of the acting candidates, then of vertices and edges
-  std::size_t node_constraints_ = 0;            ///< how many of them are candidates'
+  /// Of the acting candidates, then of vertices and edges; in a response those of the ground follow.
+  std::vector<ContactConstraint> constraints_;
+  std::vector<Vec3> solved_m_;        ///< positions before the contacts; only with a ground
+  std::size_t node_constraints_ = 0;  ///< how many of them are candidates'
   /// Of each constraint before it acts: how far it is short of its target. Empty where one tool takes all.
   std::vector<double> displacements_m_;
 };

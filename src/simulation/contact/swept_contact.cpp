@@ -36,7 +36,8 @@ SweptContact::SweptContact(const Scene& scene, SweptContactSettings settings)
     if (!settings_.tool_frictions.empty())
       frictions_.insert(frictions_.end(), vertices, settings_.body_frictions.at(b));
   }
-  if (settings_.ground) addGround(scene);
+  if (settings_.ground)
+    ground_.emplace(*settings_.ground, scene, settings_.margins_m, settings_.body_frictions);
   for (std::size_t t = 0; t < tool_count_; ++t)
     for (std::size_t b = 0; b < body_count_; ++b)
       obstacles_.emplace_back(scene, t, b, settings_.margins_m.at(b));
@@ -70,15 +71,6 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
   clock.lap(times_.truncation_s);
   report(step, outcome, patch);
   clock.lap(times_.report_s);
-}
-
-void SweptContact::addGround(const Scene& scene) {
-  std::vector<double> frictions;
-  for (std::size_t b = 0; b < body_count_; ++b)
-    frictions.insert(frictions.end(), scene.bodies[b].rest.vertices_m.size(),
-                     settings_.body_frictions.empty() ? 0 : settings_.body_frictions.at(b));
-  const double margin_m = *std::max_element(settings_.margins_m.begin(), settings_.margins_m.end());
-  ground_.emplace(*settings_.ground, kNearMargins * margin_m, std::move(frictions));
 }
 
 void SweptContact::respond(const StepView& step, std::span<const double> inverse_masses) {

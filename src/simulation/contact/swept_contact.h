@@ -85,7 +85,6 @@ class SweptContact {
     int earlier = -1;  ///< the constraint before it with the same first vertex
   };
 
-  void addGround(const Scene& scene);
   void placeTools(const StepView& step);
   void freeTools(const StepView& step);
   void findNear(const StepView& step);

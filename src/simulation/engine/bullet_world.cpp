@@ -46,8 +46,8 @@ BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipel
       dispatcher_(std::make_unique<btCollisionDispatcher>(configuration_.get())),
       broadphase_(std::make_unique<btDbvtBroadphase>()),
       rigid_solver_(std::make_unique<btSequentialImpulseConstraintSolver>()),
-      ground_(scenario.ground && !pipeline.traits().own_ground ? std::make_unique<Ground>(*scenario.ground)
-                                                               : nullptr),
+      ground_(scenario.ground && !pipeline.ownGround() ? std::make_unique<Ground>(*scenario.ground)
+                                                       : nullptr),
       solver_(std::make_unique<StagedSoftBodySolver>(step_s_, ground_.get())),
       world_(std::make_unique<TimedWorld>(dispatcher_.get(), broadphase_.get(), rigid_solver_.get(),
                                           configuration_.get(), solver_.get())) {

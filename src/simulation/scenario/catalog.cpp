@@ -58,6 +58,8 @@ const Catalog& catalog() {
       .responses = {{"none", "contacts displace the tissue and leave its velocities (the paper)"},
                     {"momentum",
                      "velocities follow the displacement; the reaction is the momentum taken, friction too"}},
+      .ground_contacts = {{"bullet", "Bullet's contact of each vertex, which gives way under load"},
+                          {"half_space", "an obstacle of the pipeline's own contacts, as swept has it"}},
       .precisions = {{"f64", "Bullet in double precision"}, {"f32", "Bullet in single precision"}},
       .rates = {{"differences", "of deformation: what the tissue did from step to step"},
                 {"velocities", "of deformation: from the engine's vertex velocities"}},

@@ -31,6 +31,7 @@ struct Catalog {
   std::vector<CatalogEntry> interpolations;
   std::vector<CatalogEntry> settings;
   std::vector<CatalogEntry> responses;
+  std::vector<CatalogEntry> ground_contacts;
   std::vector<CatalogEntry> precisions;
   std::vector<CatalogEntry> rates;
   std::vector<CatalogEntry> deformations;

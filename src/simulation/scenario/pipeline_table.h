@@ -30,6 +30,12 @@ enum class ToolNeed {
   nodes,    ///< a surface on which at least one node can stand
 };
 
+/// Whose contact tissue has with the ground.
+enum class GroundKind {
+  bullet,      ///< Bullet's own
+  half_space,  ///< one more obstacle of the method's own contacts
+};
+
 /// The values of Bullet's own contact that `settings` chooses together.
 struct BulletTuning {
   double sdf_voxel_m = 0;
@@ -54,8 +60,8 @@ struct PipelineTraits {
   /// What a run of the scenario does where it says nothing else; for detection by nodes only.
   bool vertex_contacts = false;
   ContactResponse response = ContactResponse::none;
-  /// Whether the ground is an obstacle of the method's own contacts; else it is one of Bullet's.
-  bool own_ground = false;
+  /// What a run of the scenario does where it says nothing else; detection by nodes can do either.
+  GroundKind ground_contact = GroundKind::bullet;
   /// What settings "stock" and "tuned" mean for this pipeline.
   BulletTuning stock = stock_tuning;
   BulletTuning tuned = fine_tuning;
@@ -104,7 +110,7 @@ inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
      .detection = ContactDetection::surface,
      .need = ToolNeed::surface,
      .response = ContactResponse::momentum,
-     .own_ground = true},
+     .ground_contact = GroundKind::half_space},
     {.kind = PipelineKind::prescribed,
      .name = "prescribed",
      .description =

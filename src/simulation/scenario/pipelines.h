@@ -38,6 +38,9 @@ struct PipelineSettings {
   /// What contacts do to the tissue's momentum. Default: the pipeline's, momentum for fukuhara, none (the
   /// paper's) for raycast.
   std::optional<ContactResponse> response;
+  /// What tissue stands on. Default: the pipeline's, Bullet's contact for both; `half_space` is the ground of
+  /// swept, and asks for response momentum: displacement alone carries no weight.
+  std::optional<GroundKind> ground_contact;
 
   /// Ray casting pipelines, and swept.
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts, 1..1000
@@ -70,9 +73,13 @@ struct PipelineSettings {
   double kinematicHardness() const { return kinematic_hardness.value_or(tuning().kinematic_hardness); }
   bool vertexContacts() const { return vertex_contacts.value_or(traits().vertex_contacts); }
   ContactResponse contactResponse() const { return response.value_or(traits().response); }
+  GroundKind groundContact() const { return ground_contact.value_or(traits().ground_contact); }
+  /// Whether the ground is an obstacle of the method's own contacts; else it is one of Bullet's.
+  bool ownGround() const { return groundContact() == GroundKind::half_space; }
 
   /// Writes these defaults into their fields, so that a stored scenario says every number that was used (but
-  /// for the least number of cluster iterations, which `settings` stands for).
+  /// for the least number of cluster iterations, which `settings` stands for). The ground is stored where an
+  /// entry names it.
   void fillDefaults() {
     if (usesNodes()) {
       vertex_contacts = vertexContacts();

@@ -28,6 +28,7 @@ void describe(Io& io, PipelineSettings& p) {
   io.fieldIf(rays, rays_only, "ray_length_m", p.ray_length_m);
   io.fieldIf(rays, rays_only, "vertex_contacts", p.vertex_contacts);
   io.choiceIf(rays, rays_only, "response", p.response, catalog().responses);
+  io.choiceIf(rays, rays_only, "ground_contact", p.ground_contact, catalog().ground_contacts);
   io.fieldIf(rays || p.usesSurface(), ours_only, "sweeps", p.sweeps);
   io.fieldIf(rays || p.usesSurface(), ours_only, "max_displacement_m", p.max_displacement_m);
   io.fieldIf(p.usesSurface(), swept_only, "rounds", p.rounds);

@@ -32,16 +32,16 @@ struct WorldSettings {
   bool operator==(const WorldSettings&) const = default;
 };
 
-/// A horizontal half-space under the tissue. Tissue stands on it with pipeline swept, as one of its
-/// obstacles; else Bullet solves one analytic contact a vertex, which holds it a margin above, and gives way.
+/// A horizontal half-space under the tissue. Tissue stands on it with pipeline swept and with ground_contact
+/// half_space, as one more obstacle of the tools' contacts; else Bullet solves one analytic contact a vertex,
+/// which holds it a margin above, and gives way.
 struct GroundSettings {
   double height_m = 0.0;
-  /// Bullet's default for a rigid body; multiplied by the body's dynamic_friction. With swept the product is
-  /// Coulomb's coefficient; Bullet's contact takes that share of what slips, once an iteration.
+  /// Bullet's default for a rigid body; multiplied by the body's dynamic_friction. With the half-space the
+  /// product is Coulomb's coefficient; Bullet's contact takes that share of what slips, once an iteration.
   double friction = 0.5;
-  /// Not of swept. 0..1: Bullet's contact takes a vertex back by its way into the ground and lifts it by this
-  /// share of its overlap besides. 1 throws it as far above as it went below: under load tissue then rattles
-  /// on the ground at metres a second.
+  /// 0..1: Bullet's contact takes a vertex back by its way into the ground and lifts it by this share of its
+  /// overlap besides. 1 throws it as far above: under load tissue then rattles at metres a second.
   double hardness = 0.3;
 
   bool operator==(const GroundSettings&) const = default;

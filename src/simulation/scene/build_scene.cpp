@@ -100,7 +100,7 @@ Scene buildScene(const Scenario& scenario, bool with_nodes) {
 }
 
 void adaptTo(const PipelineSettings& pipeline, Scene& scene) {
-  scene.ground_reaction_known = scene.ground_height_m && pipeline.traits().own_ground;
+  scene.ground_reaction_known = scene.ground_height_m && pipeline.ownGround();
   if (pipeline.usesNodes()) return;
   for (SceneTool& tool : scene.tools) {
     tool.nodes = {};

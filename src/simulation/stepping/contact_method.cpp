@@ -28,6 +28,13 @@ void fillBodies(const Scenario& scenario, Settings& settings) {
   }
 }
 
+/// The ground of a method that stands on its own; else none.
+std::optional<HalfSpace> halfSpaceOf(const ContactMethodContext& context) {
+  const std::optional<GroundSettings>& ground = context.scenario.ground;
+  if (!ground || !context.settings.ownGround()) return std::nullopt;
+  return HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
+}
+
 NodeContactSettings nodeSettings(const ContactMethodContext& context) {
   NodeContactSettings settings{.association = context.settings.traits().association,
                                .vertex_contacts = context.settings.vertexContacts(),
@@ -38,7 +45,8 @@ NodeContactSettings nodeSettings(const ContactMethodContext& context) {
                                .margins_m = {},
                                .time_scales = {},
                                .body_frictions = {},
-                               .tool_frictions = {}};
+                               .tool_frictions = {},
+                               .ground = halfSpaceOf(context)};
   fillBodies(context.scenario, settings);
   return settings;
 }
@@ -83,11 +91,9 @@ SweptContactSettings sweptSettings(const ContactMethodContext& context) {
                                 .time_scales = {},
                                 .body_frictions = {},
                                 .tool_frictions = {},
-                                .ground = {},
+                                .ground = halfSpaceOf(context),
                                 .single_precision = context.precision == Precision::f32};
   fillBodies(context.scenario, settings);
-  if (const std::optional<GroundSettings>& ground = context.scenario.ground)
-    settings.ground = HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
   return settings;
 }
 

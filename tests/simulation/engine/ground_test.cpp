@@ -1,10 +1,12 @@
-// The ground of pipeline swept through a whole world: weights, closed forms of friction, momentum of each
-// step.
+// The half-space of swept, and of nodes that ask for it, through a whole world: weights, closed forms of
+// friction, momentum of each step.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
+#include "contact/grid_nodes.h"
 #include "engine/simulation.h"
 #include "mesh/primitives.h"
 #include "scene/place.h"
@@ -32,6 +34,7 @@ class World {
     int velocity_iterations = 0;
     double time_scale = 1;
     PipelineKind pipeline = PipelineKind::swept;
+    GroundKind ground_contact = GroundKind::half_space;
     bool ground = true;
     int rounds = 4;
     double plate_m = 0.08;  ///< its height at first
@@ -60,7 +63,12 @@ class World {
     scenario.tools[0].friction = settings.friction / kBodyFriction;
     scene_.bodies.push_back({.name = body.name, .rest = placeBody(body)});
     scene_.tools.push_back({.name = "plate", .surface = makeBox(size_m), .box_size_m = size_m});
-    const PipelineSettings entry{.name = "p", .pipeline = settings.pipeline, .rounds = settings.rounds};
+    const PipelineSettings entry{.name = "p",
+                                 .pipeline = settings.pipeline,
+                                 .response = ContactResponse::momentum,
+                                 .ground_contact = settings.ground_contact,
+                                 .rounds = settings.rounds};
+    if (entry.usesNodes()) scene_.tools[0].nodes = makeGridNodes(size_m, {16, 16});
     pose_.position_m.y() = settings.plate_m;
     simulation_ = makeSimulation(scenario, entry, scene_, {pose_});
   }
@@ -99,6 +107,8 @@ class World {
   std::unique_ptr<Simulation> simulation_;
 };
 
+const auto kPipelines = testing::Values(PipelineKind::swept, PipelineKind::fukuhara);
+
 const BoxShape kBlock{Vec3(0.04, 0.02, 0.04)};
 
 TEST(Ground, ARestingBodyWeighsItsWeightToAMillionth) {
@@ -118,6 +128,14 @@ TEST(Ground, ARestingBodyWeighsItsWeightToAMillionth) {
   }
 }
 
+TEST(Ground, ARestingBodyWeighsItsWeightOnThatOfNodesToo) {
+  World world({.shape = kBlock, .height_m = 0.01, .damping = 0.5, .pipeline = PipelineKind::fukuhara});
+  for (int i = 0; i < 1500; ++i) world.step();
+  EXPECT_NEAR(world.onGround_N().y(), -kWeight_N, 1e-6 * kWeight_N);
+  EXPECT_NEAR(world.lowest_m(), 0, 1e-9);
+  EXPECT_EQ(world.state().contact.contact_count, 0);
+}
+
 // Bullet's velocity iterations put positions anew from velocities: the ground it is shown must be in both.
 TEST(Ground, ARestingBodyWeighsItsWeightWithVelocityIterationsToo) {
   World world({.shape = kBlock, .height_m = 0.01, .damping = 0.5, .velocity_iterations = 1});
@@ -125,18 +143,19 @@ TEST(Ground, ARestingBodyWeighsItsWeightWithVelocityIterationsToo) {
   EXPECT_NEAR(world.onGround_N().y(), -kWeight_N, 1e-6 * kWeight_N);
 }
 
-class GroundTimeScale : public testing::TestWithParam<double> {};
+class GroundTimeScale : public testing::TestWithParam<std::tuple<PipelineKind, double>> {};
 
 // Gravity, the plate and the ground are all that changes momentum, also where they rub.
 TEST_P(GroundTimeScale, EachStepsChangeIsGravityAndBothReactions) {
-  World world({.friction = 0.3, .time_scale = GetParam()});
+  const auto [pipeline, scale] = GetParam();
+  World world({.friction = 0.3, .time_scale = scale, .pipeline = pipeline});
   double tool_N = 0, ground_N = 0, rubbed_N = 0;
   for (int i = 0; i < 600; ++i) {
     const Vec3 before = world.momentum();
     world.step(i < 300 ? Vec3(0, -0.1, 0) : Vec3(0.1, i < 400 ? 0 : 0.2, 0));
     const Vec3 on_tool_N = world.state().contact.reaction_on_tool_N;
     const Vec3 expected =
-        before + GetParam() * kStep_s * (Vec3(0, -kWeight_N, 0) - on_tool_N - world.onGround_N());
+        before + scale * kStep_s * (Vec3(0, -kWeight_N, 0) - on_tool_N - world.onGround_N());
     ASSERT_NEAR((world.momentum() - expected).norm(), 0, 1e-13) << "step " << i;
     ASSERT_GE(world.lowest_m(), -1e-9) << "step " << i;
     tool_N = std::max(tool_N, on_tool_N.norm());
@@ -147,15 +166,17 @@ TEST_P(GroundTimeScale, EachStepsChangeIsGravityAndBothReactions) {
   EXPECT_GT(ground_N, 5 * kWeight_N);
   EXPECT_GT(rubbed_N, 0.1 * kWeight_N);
 }
-INSTANTIATE_TEST_SUITE_P(Scales, GroundTimeScale, testing::Values(0.5, 1.0, 2.0));
+INSTANTIATE_TEST_SUITE_P(Scales, GroundTimeScale,
+                         testing::Combine(kPipelines, testing::Values(0.5, 1.0, 2.0)));
 
-class GroundSlope : public testing::TestWithParam<double> {};
+class GroundSlope : public testing::TestWithParam<std::tuple<PipelineKind, double>> {};
 
 // A block pulled sideways by 0.4 of its weight: g (0.4 - mu) where mu is below 0.4, nothing where it is
 // above.
 TEST_P(GroundSlope, ABlockSlipsAsCoulombSays) {
-  const double mu = GetParam(), pulled = 0.4;
-  World world({.shape = kBlock, .height_m = 0.01, .friction = mu, .slope = pulled});
+  const auto [pipeline, mu] = GetParam();
+  const double pulled = 0.4;
+  World world({.shape = kBlock, .height_m = 0.01, .friction = mu, .slope = pulled, .pipeline = pipeline});
   for (int i = 0; i < 50; ++i) world.step();  // its shape settles
   const Vec3 from_m_s = world.velocity_m_s(), from_m = world.centre_m();
   double largest = 0;
@@ -171,7 +192,8 @@ TEST_P(GroundSlope, ABlockSlipsAsCoulombSays) {
     EXPECT_NEAR((world.centre_m() - from_m).norm(), 0, 1e-8) << "sticks";
   }
 }
-INSTANTIATE_TEST_SUITE_P(Coefficients, GroundSlope, testing::Values(0, 0.1, 0.3, 0.39, 0.41, 0.8));
+INSTANTIATE_TEST_SUITE_P(Coefficients, GroundSlope,
+                         testing::Combine(kPipelines, testing::Values(0, 0.1, 0.3, 0.39, 0.41, 0.8)));
 
 class GroundByRounds : public testing::TestWithParam<int> {};
 
@@ -208,13 +230,28 @@ TEST(Ground, ABodyLaidOnItIsNotKicked) {
   EXPECT_NEAR(world.centre_m().y(), from_m, 0.0002) << "sags, and is not lifted";
 }
 
-TEST(Ground, OnlySweptSaysWhatItBears) {
+// A node pushes on a triangle where it meets it, which takes the nearest vertex farther than the node went.
+// Those had been beyond the reach of the ground.
+TEST(Ground, NodesPressNothingBelowIt) {
+  for (int i = 0; i < 10; ++i) {
+    World world({.friction = 0.25, .pipeline = PipelineKind::raycast, .plate_m = 0.067 + 0.0005 * i});
+    for (int step = 0; step < 6; ++step) {
+      world.step(Vec3(0, -10, 0));
+      EXPECT_GE(world.lowest_m(), -1e-9) << "plate " << i << ", step " << step;
+    }
+    EXPECT_GT(-world.onGround_N().y(), 100 * kWeight_N);
+  }
+}
+
+TEST(Ground, OnlyOnesOwnSaysWhatItBears) {
   World without({.ground = false});
   without.step();
   EXPECT_FALSE(without.state().contact.ground_reaction_N);
-  World bullets({.pipeline = PipelineKind::default_sdf});
-  bullets.step();
-  EXPECT_FALSE(bullets.state().contact.ground_reaction_N);
+  for (const PipelineKind pipeline : {PipelineKind::default_sdf, PipelineKind::fukuhara}) {
+    World bullets({.pipeline = pipeline, .ground_contact = GroundKind::bullet});
+    bullets.step();
+    EXPECT_FALSE(bullets.state().contact.ground_reaction_N);
+  }
 }
 
 }  // namespace

@@ -69,6 +69,7 @@ TEST(PipelineTable, EachKeyHasAMeaningForTheDetectionsThatUseIt) {
       {"ray_length_m: 0.1", {nodes}, "pipelines raycast and fukuhara"},
       {"vertex_contacts: true", {nodes}, "pipelines raycast and fukuhara"},
       {"response: none", {nodes}, "pipelines raycast and fukuhara"},
+      {"ground_contact: bullet", {nodes}, "pipelines raycast and fukuhara"},
       {"sweeps: 5", {nodes, surface}, "pipelines raycast, fukuhara and swept"},
       {"max_displacement_m: 0.01", {nodes, surface}, "pipelines raycast, fukuhara and swept"},
       {"rounds: 2", {surface}, "pipeline swept"}};

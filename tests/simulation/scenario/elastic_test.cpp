@@ -134,7 +134,9 @@ TEST(Elastic, WhatItsEngineHasNotIsRefused) {
   scenario.ground = GroundSettings{};
   EXPECT_TRUE(validate(scenario).empty());
   scenario.pipelines.push_back({.name = "nodes", .pipeline = PipelineKind::fukuhara});
-  EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.nodes.pipeline"});
+  EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.nodes.ground_contact"});
+  scenario.pipelines[1].ground_contact = GroundKind::half_space;
+  EXPECT_TRUE(validate(scenario).empty());
 }
 
 }  // namespace

@@ -90,11 +90,11 @@ TEST(Names, LettersDigitsUnderscoresAndDashes) {
 TEST(CatalogTables, NamesAreUniqueAndDescribed) {
   const Catalog& c = catalog();
   for (const auto* table :
-       {&c.pipelines,      &c.force_laws,      &c.tissues,       &c.body_shapes,  &c.tool_shapes,
-        &c.clamp_openings, &c.node_placements, &c.motions,       &c.timings,      &c.interpolations,
-        &c.settings,       &c.precisions,      &c.responses,     &c.length_units, &c.rates,
-        &c.deformations,   &c.aero_models,     &c.soft_contacts, &c.mesh_repairs, &c.device_axes,
-        &c.log_layouts,    &c.device_frames,   &c.time_units}) {
+       {&c.pipelines,      &c.force_laws,      &c.tissues,       &c.body_shapes,    &c.tool_shapes,
+        &c.clamp_openings, &c.node_placements, &c.motions,       &c.timings,        &c.interpolations,
+        &c.settings,       &c.precisions,      &c.responses,     &c.length_units,   &c.rates,
+        &c.deformations,   &c.aero_models,     &c.soft_contacts, &c.mesh_repairs,   &c.device_axes,
+        &c.log_layouts,    &c.device_frames,   &c.time_units,    &c.ground_contacts}) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : *table) {
       EXPECT_TRUE(isName(entry.name));
@@ -135,6 +135,8 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.settings, SettingsPreset::tuned), "tuned");
   EXPECT_EQ(at(c.responses, ContactResponse::none), "none");
   EXPECT_EQ(at(c.responses, ContactResponse::momentum), "momentum");
+  EXPECT_EQ(at(c.ground_contacts, GroundKind::bullet), "bullet");
+  EXPECT_EQ(at(c.ground_contacts, GroundKind::half_space), "half_space");
   EXPECT_EQ(at(c.soft_contacts, SoftContact::none), "none");
   EXPECT_EQ(at(c.soft_contacts, SoftContact::vertices), "vertices");
   EXPECT_EQ(at(c.soft_contacts, SoftContact::clusters), "clusters");
@@ -217,6 +219,15 @@ TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
   EXPECT_EQ(p.contactResponse(), ContactResponse::none);
   p.fillDefaults();
   EXPECT_EQ(p.response, ContactResponse::none) << "a stored scenario says it";
+}
+
+TEST(PipelineSettingsValues, NodesStandOnBulletsGroundUnlessToldOtherwise) {
+  for (const PipelineTraits& pipeline : pipeline_table) {
+    PipelineSettings p{.name = "p", .pipeline = pipeline.kind};
+    EXPECT_EQ(p.ownGround(), pipeline.kind == PipelineKind::swept) << pipeline.name;
+    p.ground_contact = GroundKind::half_space;
+    EXPECT_TRUE(p.ownGround());
+  }
 }
 
 }  // namespace

@@ -169,6 +169,21 @@ TEST(Validate, FrictionNeedsAResponseThatHasAForce) {
   }
 }
 
+// Contacts that only displace leave the tissue the speed that it fell with.
+TEST(Validate, TheHalfSpaceNeedsAResponseThatCarriesWeight) {
+  Scenario s = smallest();
+  for (const PipelineKind pipeline : {PipelineKind::raycast, PipelineKind::fukuhara}) {
+    s.pipelines = {{.name = "p",
+                    .pipeline = pipeline,
+                    .response = ContactResponse::momentum,
+                    .ground_contact = GroundKind::half_space}};
+    EXPECT_TRUE(validate(s).empty());
+    s.pipelines[0].response = ContactResponse::none;
+    ASSERT_EQ(validate(s).size(), 1u);
+    EXPECT_EQ(validate(s)[0].path, "pipelines.p.ground_contact");
+  }
+}
+
 TEST(Validate, AFrameEveryStepIsFine) {
   Scenario s = smallest();
   s.time.step_s = 1.0 / 3;

@@ -98,8 +98,8 @@ const char* const every_field =
     "  - {name: a, pipeline: default, settings: tuned, sdf_voxel_m: 0.002, kinematic_hardness: 0.3, "
     "time_limit_s: 9}\n"
     "  - {pipeline: \"null\", precision: f32}\n"
-    "  - {name: b, pipeline: raycast, ray_length_m: 0.06, vertex_contacts: true, response: momentum, sweeps: "
-    "11, "
+    "  - {name: b, pipeline: raycast, ray_length_m: 0.06, vertex_contacts: true, response: momentum, "
+    "ground_contact: half_space, sweeps: 11, "
     "max_displacement_m: 0.02, precision: "
     "f64}\n"
     "  - {name: c, pipeline: swept, sweeps: 12, max_displacement_m: 0.03, rounds: 7}\n"
@@ -174,6 +174,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                               {},
                                               {},
                                               {},
+                                              {},
                                               30,
                                               0.005,
                                               4,
@@ -189,6 +190,7 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
                                               0.06,
                                               true,
                                               ContactResponse::momentum,
+                                              GroundKind::half_space,
                                               11,
                                               0.02,
                                               4,
