@@ -68,22 +68,22 @@ PAGE = """# Elastic bodies against theory
 
 ## A sphere on a bonded layer
 
-A frictionless rigid sphere of radius R sinks d deep into a layer that is 60 mm high, held below and free at its sides, at least four contact
-radii to each side; pipeline `swept`, no gravity, E 10 kPa unless said otherwise. Cells are cubes of six tetrahedra, at most {tetrahedra}
-of these. The tool is the part of the sphere around its lowest point, 20 rings of triangles; R and d count the contact's margin of 0.01 mm.
-It sinks for 0.3 s (minimum jerk) and rests; the force is the mean reaction of the rest, in which it swings by at most {swing}.
-Elements inverted in all runs together: {inverted}; the energy balance of each closes to {balance}.
+A frictionless rigid sphere of radius R sinks d deep into a layer that is 60 mm high, held below and free at its sides, at least four contact radii
+to each side; pipeline `swept`, no gravity, E 10 kPa unless said otherwise. Cells are cubes of six tetrahedra, at most {tetrahedra} of these. The
+tool is the part of the sphere around its lowest point, 20 rings of triangles; R and d count the contact's margin of 0.01 mm. It sinks for 0.3 s
+(minimum jerk) and rests; the force is the mean reaction of the rest, in which it swings by at most {swing}. Elements inverted in all runs together:
+{inverted}; the energy balance of each closes to {balance}.
 
 **The exact solution** is the linear theory's: the Fredholm equation of Lebedev and Ufliand (1958) with the kernel of a bonded layer, solved for a
-sphere in the script. Dimitriadis et al. 2002 expand it in chi = sqrt(R d)/h (for nu 0.5: 1 + 1.133 chi + 1.283 chi^2 + 0.769 chi^3 + 0.098 chi^4; their
-general formula, used here, says -0.098). Both have the same first term; the expansion falls below the
-solution as chi grows: at chi 0.41 by 2.9 % at nu 0.3 and 5.2 % at nu 0.49, at 0.58 by 5 and 10 %. Errors are from the exact solution; the
-last column is what they would be from the expansion.
+sphere in the script. Dimitriadis et al. 2002 expand it in chi = sqrt(R d)/h (for nu 0.5: 1 + 1.133 chi + 1.283 chi^2 + 0.769 chi^3 + 0.098 chi^4;
+their general formula, used here, says -0.098). Both have the same first term; the expansion falls below the solution as chi grows: at chi 0.41 by
+2.9 % at nu 0.3 and 5.2 % at nu 0.49, at 0.58 by 5 and 10 %. Errors are from the exact solution; the last column is what they would be from the
+expansion.
 
 {series}
 Order and limit are those of F + C cell^order through the three finest meshes. Limits are {limits} from the exact solution, the finest meshes
-{finest}. The error goes with the contact radius over the cell (plot), for all R, d and nu
-alike: a mesh knows the contact's edge to a cell, and one of three cells over the height does not resolve the contact.
+{finest}. The error goes with the contact radius over the cell (plot), for all R, d and nu alike: a mesh knows the contact's edge to a cell, and one
+of three cells over the height does not resolve the contact.
 
 ![Force over the contact radius in cells, and limits beside theory](theory.png)
 
@@ -93,13 +93,13 @@ The layer of R 400 mm, d 1.5 mm, nu 0.3 on cells of 10 mm with one change each.
 
 {singles}
 The modulus scales the force and nothing else (times go with the transit of shear waves). What width, loading, viscosity, margin, step and the
-tool's rings change is below the errors of the mesh. `linear_corotated` is softer than `neo_hookean` under compression by a share that grows with d/h, so
-that both meet at small strain, 0.8 % apart at d/h 0.025 and 1.7 % at 0.05.
+tool's rings change is below the errors of the mesh. `linear_corotated` is softer than `neo_hookean` under compression by a share that grows with
+d/h, so that both meet at small strain, 0.8 % apart at d/h 0.025 and 1.7 % at 0.05.
 
 ## Nearly incompressible tissue
 
-Above nu 0.45 elements take their pressure from nodal averages of the volume ratio (src/simulation/elastic/elastic_tissue.h), at 0.45 each has its own. The rows
-of 0.45 and 0.451, between which theory changes the force by {ratio_theory:.2f} %, show what averaging takes away: {averaged}. At nu
+Above nu 0.45 elements take their pressure from nodal averages of the volume ratio (src/simulation/elastic/elastic_tissue.h), at 0.45 each has its
+own. The rows of 0.45 and 0.451, between which theory changes the force by {ratio_theory:.2f} %, show what averaging takes away: {averaged}. At nu
 0.49 the error is no larger than at 0.3 on the same mesh: nothing locks.
 
 ## A ball that falls and rebounds
@@ -108,10 +108,10 @@ A ball of 30 mm (4,096 tetrahedra, E 10 kPa, nu 0.4) falls 30 mm on the ground. 
 kinetic and stored energy then; the last column is the greatest error of the balance up to 0.32 s.
 
 {drops}
-The rebound differs by {rebound} between steps of 4 and 0.25 ms. With viscosity the balance closes to {viscous_balance:.2f} %. **Without any it does not at
-every step**: {undamped_balance:.1f} % are gained at the worst. While the ball vibrates, its number of substeps rises and falls dozens of
-times, and these changes feed the vibration, since velocities are half a substep behind positions. With a step that never needs a
-second substep (0.25 ms) the same run closes to {single_balance:.2f} %.
+The rebound differs by {rebound} between steps of 4 and 0.25 ms. With viscosity the balance closes to {viscous_balance:.2f} %. **Without any it does
+not at every step**: {undamped_balance:.1f} % are gained at the worst. While the ball vibrates, its number of substeps rises and falls dozens of
+times, and these changes feed the vibration, since velocities are half a substep behind positions. With a step that never needs a second substep
+(0.25 ms) the same run closes to {single_balance:.2f} %.
 """
 
 
@@ -189,7 +189,7 @@ def lens(radius_m, reach_m, rings):
     rim_m, count = points[-1][1], first[-1]
     points += [[x, 2 * rim_m - y, z] for x, y, z in points[:count]]
     mirrored = [[v if v >= count else v + first[-1] + 6 * rings for v in reversed(face)] for face in faces]
-    return {"type": "triangles", "vertices_m": [[float(v) for v in point] for point in points], "faces": [[int(v) for v in face] for face in faces + mirrored]}
+    return {"type": "triangles", "vertices_m": np.array(points, float).tolist(), "faces": faces + mirrored}
 
 
 def pressed(arguments, change):
@@ -315,13 +315,18 @@ def write_rows(path, rows):
             writer.writerow({key: f"{value:.6g}" if isinstance(value, float) else value for key, value in row.items()})
 
 
+def heading(words, numbers):
+    """Both lines of a table's head: columns of words and columns of numbers."""
+    return "| " + " | ".join([*words, *numbers]) + " |\n|" + "---|" * len(words) + "--:|" * len(numbers) + "\n"
+
+
 def series_table(series):
-    lines = ["| nu | R [mm] | d [mm] | material | chi | " + " | ".join(f"{n} cells" for n in [*LAYERS, FINEST]) + " | order | limit | limit over the expansion |\n"]
-    lines.append("|--:|--:|--:|---|--:" + "|--:" * (len(LAYERS) + 4) + "|\n")
+    meshes = [f"{n} cells" for n in [*LAYERS, FINEST]]
+    lines = [heading(["material"], ["nu", "R [mm]", "d [mm]", "chi", *meshes, "order", "limit", "limit over the expansion"])]
     for rows in series:
         first = rows[0]
         force_N, order = limit(rows)
-        cells = [f"{first['nu']:g}", f"{1000 * first['R_m']:g}", f"{1000 * first['d_m']:g}", first["material"], f"{first['chi']:.2f}"]
+        cells = [first["material"], f"{first['nu']:g}", f"{1000 * first['R_m']:g}", f"{1000 * first['d_m']:g}", f"{first['chi']:.2f}"]
         cells += [f"{row['error_percent']:+.1f} %" for row in rows] + ["-"] * (len(LAYERS) + 1 - len(rows))
         cells += [f"{order:.1f}"] + [f"{100 * (force_N / first[name] - 1):+.1f} %" for name in ("exact_N", "series_N")]
         lines.append("| " + " | ".join(cells) + " |\n")
@@ -329,7 +334,7 @@ def series_table(series):
 
 
 def single_table(singles, base):
-    lines = ["| changed | force [N] | over the exact solution | beside the first row |\n|---|--:|--:|--:|\n"]
+    lines = [heading(["changed"], ["force [N]", "over the exact solution", "beside the first row"])]
     for name, row in {"nothing": base, **singles}.items():
         beside = 100 * ((1 + row["error_percent"] / 100) / (1 + base["error_percent"] / 100) - 1)
         lines.append(f"| {name} | {row['force_N']:.5g} | {row['error_percent']:+.2f} % | {beside:+.2f} % |\n")
@@ -337,10 +342,12 @@ def single_table(singles, base):
 
 
 def drop_table(drops):
-    lines = ["| viscosity | step [ms] | rebound | vibration | viscous loss | loss in contact | sum | greatest error of the balance |\n|---" + "|--:" * 7 + "|\n"]
+    names = ["viscosity", "step [ms]", "rebound", "vibration", "viscous loss", "loss in contact", "sum", "greatest error of the balance"]
+    lines = [heading([], names)]
     for row in drops:
         parts = [row[f"{name}_percent"] for name in ("rebound", "vibration", "viscous", "contact_loss")]
-        cells = [f"{row['viscosity_Pa_s']:g} Pa s", f"{row['step_ms']:g}", *(f"{part:.2f} %" for part in [*parts, sum(parts), row["balance_percent"]])]
+        cells = [f"{row['viscosity_Pa_s']:g} Pa s", f"{row['step_ms']:g}"]
+        cells += [f"{part:.2f} %" for part in [*parts, sum(parts), row["balance_percent"]]]
         lines.append("| " + " | ".join(cells) + " |\n")
     return "".join(lines)
 
@@ -348,8 +355,8 @@ def drop_table(drops):
 def averaged(series):
     """How much lower nodal averages make the force, by mesh, in words."""
     own, nodal = ({row["layers"]: row["error_percent"] for rows in series for row in rows if row["nu"] == nu} for nu in (0.45, 0.451))
-    shares, cells = (" and ".join([", ".join(words[:-1]), words[-1]]) for words in ([f"{own[n] - nodal[n]:.1f}" for n in LAYERS], [str(n) for n in LAYERS]))
-    return f"{shares} points with {cells} cells over the height"
+    shares = ", ".join(f"{own[n] - nodal[n]:.1f}" for n in LAYERS)
+    return f"{shares} points with {', '.join(map(str, LAYERS))} cells over the height"
 
 
 def draw(path, series):
@@ -396,6 +403,7 @@ def write(series, singles, drops):
     tables = {"series": series_table(series), "singles": single_table(singles, base), "drops": drop_table(drops)}
     finest = [rows[-1]["error_percent"] for rows in series]
     limits = [100 * (limit(rows)[0] / rows[0]["exact_N"] - 1) for rows in series]
+    heights = {v: [row["rebound_percent"] for row in drops if row["viscosity_Pa_s"] == v] for v in VISCOSITIES_PA_S}
     numbers = {
         "finest": f"{min(finest):+.1f} to {max(finest):+.1f} %",
         "limits": f"{min(limits):+.1f} to {max(limits):+.1f} %",
@@ -405,7 +413,7 @@ def write(series, singles, drops):
         "inverted": sum(row["inverted"] for rows in series for row in rows),
         "ratio_theory": 100 * (layer_force(1, 0.451, BASE["R_m"], BASE["d_m"])[0] / layer_force(1, 0.45, BASE["R_m"], BASE["d_m"])[0] - 1),
         "averaged": averaged(series),
-        "rebound": ", ".join(f"{np.ptp([row['rebound_percent'] for row in drops if row['viscosity_Pa_s'] == v]):.2f} points ({v} Pa s)" for v in VISCOSITIES_PA_S),
+        "rebound": ", ".join(f"{np.ptp(rebounds):.2f} points ({viscosity} Pa s)" for viscosity, rebounds in heights.items()),
         "viscous_balance": max(row["balance_percent"] for row in drops if row["viscosity_Pa_s"]),
         "undamped_balance": max(row["balance_percent"] for row in drops if not row["viscosity_Pa_s"]),
         "single_balance": next(row["balance_percent"] for row in drops if not row["viscosity_Pa_s"] and row["step_ms"] == 0.25),
@@ -420,7 +428,8 @@ def main():
     arguments = parser.parse_args()
     FOLDER.mkdir(parents=True, exist_ok=True)
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
-        series = [[pool.submit(pressed, arguments, {**change, "layers": n}) for n in [*LAYERS, *([FINEST] if change in FINE else [])]] for change in SERIES]
+        meshes = [[*LAYERS, *([FINEST] if change in FINE else [])] for change in SERIES]
+        series = [[pool.submit(pressed, arguments, {**change, "layers": n}) for n in some] for change, some in zip(SERIES, meshes)]
         drops = [pool.submit(dropped, arguments, viscosity, step_s) for viscosity in VISCOSITIES_PA_S for step_s in DROP_STEPS_S]
         singles = {name: pool.submit(pressed, arguments, change) for name, change in SINGLES.items()}
         series = [[run.result() for run in runs] for runs in series]
