@@ -16,7 +16,7 @@ BodySettings cube() {
 }
 
 int count(const BodySettings& body) {
-  return static_cast<int>(fixedVertices(body, placeBody(body)).size());
+  return static_cast<int>(fixedVertices(body, placeBody(body).vertices_m).size());
 }
 
 TEST(FixedVertices, AreThoseInTheirRegionsWhereTheBodyIsPlaced) {
@@ -41,7 +41,7 @@ TEST(FixedVertices, OfSeveralRegionsEachOnceInOrder) {
   BodySettings body = cube();
   body.fixed = {{.box = BoxRegion{Vec3(9, -1, -1), Vec3(9, 3, 1)}}, {.below_m = 0.5}};
   const TriangleMesh rest = placeBody(body);
-  const std::vector<int> fixed = fixedVertices(body, rest);
+  const std::vector<int> fixed = fixedVertices(body, rest.vertices_m);
   ASSERT_EQ(fixed.size(), 6u);
   for (std::size_t i = 0; i < fixed.size(); ++i) {
     if (i > 0) {
