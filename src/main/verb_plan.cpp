@@ -5,7 +5,6 @@
 
 #include "check/run_plan.h"
 #include "check/scenario_warnings.h"
-#include "explicit/substep_plan.h"
 #include "main/exit_codes.h"
 #include "main/result_table.h"
 #include "main/scenario_options.h"
@@ -76,8 +75,7 @@ void printScene(const CheckedScenario& checked) {
     const std::size_t fixed = body.fixed_vertices.size();
     if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
     std::cout << "\n";
-    const BodySettings& settings = scenario.bodies[static_cast<std::size_t>(&body - scene.bodies.data())];
-    if (body.volume) printElastic(settings, planSubsteps(settings, body, scenario.time.step_s));
+    if (body.volume) printElastic(scenario.bodies[0], *checked.substeps);
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const std::string& warning : scenarioWarnings(checked)) std::cout << "  " << warning << "\n";

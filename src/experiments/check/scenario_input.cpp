@@ -7,6 +7,7 @@
 #include "mesh/check.h"
 #include "mesh/convex.h"
 #include "mesh/file_surface.h"
+#include "mesh/tetrahedra_check.h"
 #include "process/apart.h"
 #include "scene/build_scene.h"
 #include "scene/fixed_vertices.h"
@@ -211,6 +212,24 @@ void checkTools(CheckedScenario& checked, const SurfaceFiles& files) {
   report.finish();
 }
 
+/// What a step of the elastic body costs, where there is one; notes what is odd about its volume.
+std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  const SceneBody& body = checked.prepared.scene.bodies.at(0);
+  if (!body.volume) return std::nullopt;
+  const std::string path = "bodies." + body.name + ".shape: ";
+  for (const VolumeDefect& defect : inspectTetrahedra(body.volume->mesh, body.rest)) {
+    if (spoilsVolume(defect.kind))
+      throw InputError(inFile(checked.file), path + defect.text + ", expected a volume of sound tetrahedra");
+    checked.notes.push_back(path + defect.text);
+  }
+  try {
+    return planSubsteps(scenario.bodies[0], body, scenario.time.step_s);
+  } catch (const InputError& error) {
+    throw InputError(inFile(checked.file), error.what());
+  }
+}
+
 }  // namespace
 
 CheckedScenario checkScenario(const std::filesystem::path& file, const Selection& selection) {
@@ -231,6 +250,7 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   PreparedScenario& prepared = checked.prepared;
   prepared.scene = sceneOf(checked, files);
   for (const SceneTool& tool : prepared.scene.tools) checkTool(checked, tool);
+  checked.substeps = substepsOf(checked);
   prepared.motions = makeMotions(scenario);
   for (std::size_t t = 0; t < prepared.motions.size(); ++t)
     for (const std::string& note : prepared.motions[t]->notes())

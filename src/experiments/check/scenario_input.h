@@ -2,11 +2,13 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "base/error.h"
+#include "explicit/substep_plan.h"
 #include "scenario/load.h"
 #include "scene/prepared_scenario.h"
 
@@ -42,7 +44,8 @@ struct CheckedScenario {
   /// What is odd about surfaces from files, what was repaired of them, and what is odd about logs, a line
   /// each: "bodies.liver.shape: 57 sliver triangles (...)".
   std::vector<std::string> notes;
-  PreparedScenario prepared;  ///< with nodes where any of the pipelines uses them
+  std::optional<SubstepPlan> substeps;  ///< of the elastic body, where there is one
+  PreparedScenario prepared;            ///< with nodes where any of the pipelines uses them
 };
 
 /// Loads a scenario, applies `selection`, and checks what needs other files: surfaces of bodies, logs of

@@ -1,5 +1,6 @@
 #include "explicit/elastic_model.h"
 
+#include <sstream>
 #include <stdexcept>
 
 #include "base/error.h"
@@ -30,8 +31,17 @@ ElasticTissue makeTissue(const BodySettings& settings, const SceneBody& body, co
 SubstepPlan planSubsteps(const BodySettings& settings, const SceneBody& body, double step_s) {
   try {
     ElasticTissue tissue = makeTissue(settings, body, Vec3::Zero());
+    const double critical_step_s = tissue.criticalStep_s();
+    const double most_s = ElasticTissue::kMostSubsteps * ElasticTissue::kStepSafety * critical_step_s;
+    if (!(step_s < most_s)) {
+      std::ostringstream text;
+      text << "a step of " << step_s << " s needs more than " << ElasticTissue::kMostSubsteps
+           << " substeps: the fastest vibration of the mesh allows " << critical_step_s
+           << " s, expected a softer, less viscous or coarser body, or a shorter step";
+      throw std::invalid_argument(text.str());
+    }
     return {.tetrahedra = body.volume->mesh.tetrahedra.size(),
-            .critical_step_s = tissue.criticalStep_s(),
+            .critical_step_s = critical_step_s,
             .substeps = tissue.substepsFor(step_s)};
   } catch (const std::invalid_argument& error) {
     throw InputError("bodies." + settings.name + ".elastic: " + error.what());

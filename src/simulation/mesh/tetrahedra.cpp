@@ -38,10 +38,6 @@ std::optional<TetrahedralMesh> makeTetrahedra(const SurfaceShape& shape) {
   return std::visit([](const auto& one) { return volumeOf(one); }, shape);
 }
 
-bool hasTetrahedra(const SurfaceShape& shape) {
-  return !std::holds_alternative<TrianglesShape>(shape) && !std::holds_alternative<FileShape>(shape);
-}
-
 TetrahedralMesh makeBoxTetrahedra(const Vec3& size_m, const std::array<int, 3>& cells) {
   const BoxGrid grid(cells);
   TetrahedralMesh box;

@@ -10,11 +10,8 @@ namespace fissure {
 
 /// The volume of a shape, in its own frame: its first vertices are those of makeSurface(shape), in their
 /// order and bit for bit, and its boundary has the same triangles. Every tetrahedron has a positive volume.
-/// Nothing for the shapes that are only a surface: `triangles` and `file`. Deterministic.
+/// Nothing for the shapes that are only a surface (tetrahedraOf has none). Deterministic.
 std::optional<TetrahedralMesh> makeTetrahedra(const SurfaceShape& shape);
-
-/// Whether makeTetrahedra has a volume for it.
-bool hasTetrahedra(const SurfaceShape& shape);
 
 /// Box of full edge lengths `size_m` whose surface is makeBox's: six tetrahedra a cell, which mirror those of
 /// the cells beside it.

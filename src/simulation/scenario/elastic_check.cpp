@@ -11,10 +11,6 @@ namespace {
 /// Highest Poisson's ratio of an element that can change its volume.
 constexpr double most_poissons_ratio = 0.49;
 
-bool hasVolume(const SurfaceShape& shape) {
-  return !std::holds_alternative<FileShape>(shape) && !std::holds_alternative<TrianglesShape>(shape);
-}
-
 }  // namespace
 
 void checkElastic(Checker check, const ElasticSettings& elastic) {
@@ -35,10 +31,15 @@ void checkElasticScene(Checker check, const Scenario& scenario) {
   check.require(bodies.size() == 1, "bodies." + elastic->name + ".model",
                 "is elastic, and the scenario has other bodies, expected it alone: elastic bodies do not "
                 "meet others");
-  check.require(
-      hasVolume(elastic->shape), "bodies." + elastic->name + ".shape",
-      "is a surface without a volume of tetrahedra, expected sphere, box, capsule or lobes for model "
-      "elastic");
+  const std::string shape = "bodies." + elastic->name + ".shape";
+  const std::optional<double> tetrahedra = tetrahedraOf(elastic->shape);
+  check.require(tetrahedra.has_value(), shape,
+                "is a surface without a volume of tetrahedra, expected sphere, box, capsule or lobes for "
+                "model elastic");
+  if (tetrahedra)
+    check.require(*tetrahedra <= most_tetrahedra, shape,
+                  "has " + formatReal(*tetrahedra) + " tetrahedra, expected at most " +
+                      formatReal(most_tetrahedra));
   for (const PipelineSettings& entry : scenario.pipelines) {
     Checker run = check.in("pipelines").in(entry.name);
     using enum ContactDetection;

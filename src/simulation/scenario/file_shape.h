@@ -44,6 +44,7 @@ struct FileShape {
   std::optional<double> max_edge_m;
 
   std::optional<double> triangles() const { return std::nullopt; }  ///< only the file says
+  std::optional<double> tetrahedra() const { return std::nullopt; }
 
   bool operator==(const FileShape&) const = default;
 };

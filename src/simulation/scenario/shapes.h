@@ -17,6 +17,9 @@ namespace fissure {
 /// The most triangles of a body or a tool: those of a sphere with 7 subdivisions.
 inline constexpr std::size_t most_triangles = 131072;
 
+/// The most tetrahedra of an elastic body: those of a sphere with 6 subdivisions.
+inline constexpr double most_tetrahedra = 2097152;
+
 /// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n
 /// triangles.
 struct SphereShape {
@@ -27,6 +30,7 @@ struct SphereShape {
   int subdivisions = 2;  ///< 0..7; 2: 128 triangles (the paper's), 3: 512, 4: 2048
 
   double triangles() const { return 8 * std::pow(4, subdivisions); }
+  double tetrahedra() const { return 8 * std::pow(8, subdivisions); }
 
   bool operator==(const SphereShape&) const = default;
 };
@@ -44,6 +48,7 @@ struct BoxShape {
     const double x = cells[0], y = cells[1], z = cells[2];
     return 4 * (x * y + y * z + z * x);
   }
+  double tetrahedra() const { return 6.0 * cells[0] * cells[1] * cells[2]; }
 
   bool operator==(const BoxShape&) const = default;
 };
@@ -57,6 +62,7 @@ struct TrianglesShape {
   std::vector<Face> faces;  ///< vertex indices from 0, counter-clockwise seen from outside
 
   double triangles() const { return static_cast<double>(faces.size()); }
+  static std::optional<double> tetrahedra() { return {}; }
 
   bool operator==(const TrianglesShape&) const = default;
 };
@@ -79,6 +85,9 @@ struct CapsuleShape {
     return 2 * std::fmax(1, std::round(length_m / (2 * edge_m)));
   }
   double triangles() const { return 8 * std::pow(4, subdivisions) + 2.0 * around() * rows(); }
+  double tetrahedra() const {
+    return 8 * std::pow(8, subdivisions) + 12 * rows() * std::pow(4, subdivisions);
+  }
 
   bool operator==(const CapsuleShape&) const = default;
 };
@@ -112,6 +121,10 @@ struct LobesShape {
     const double height = n.joined + n.parted;
     return 8 * (n.half_along * (2 * n.across + height + n.parted) + height * n.across);
   }
+  double tetrahedra() const {
+    const Cells n = cells();
+    return 24 * n.across * (n.joined + n.parted) * n.half_along;
+  }
 
   bool operator==(const LobesShape&) const = default;
 };
@@ -122,6 +135,11 @@ using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileSha
 /// How many triangles the surface of a shape has; nothing where only a file says.
 inline std::optional<double> trianglesOf(const SurfaceShape& shape) {
   return std::visit([](const auto& one) { return std::optional<double>(one.triangles()); }, shape);
+}
+
+/// How many tetrahedra its volume has; nothing where it is a surface alone.
+inline std::optional<double> tetrahedraOf(const SurfaceShape& shape) {
+  return std::visit([](const auto& one) { return std::optional<double>(one.tetrahedra()); }, shape);
 }
 
 }  // namespace fissure

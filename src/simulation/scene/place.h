@@ -16,7 +16,7 @@ TriangleMesh makeSurface(const SurfaceShape& shape, const SurfaceFiles& files = 
 TriangleMesh placeBody(const BodySettings& body, const SurfaceFiles& files = SurfaceFiles("."));
 
 /// The volume of an elastic body likewise, and which of its vertices are fixed; its first vertices are those
-/// of placeBody. The body's shape must have a volume (hasTetrahedra).
+/// of placeBody. The body's shape must have a volume (tetrahedraOf).
 SceneVolume placeVolume(const BodySettings& body);
 
 }  // namespace fissure

@@ -132,6 +132,7 @@ TEST(Tetrahedra, FillTheirSurfaceWithPositiveVolumes) {
   for (const Case& c : cases()) {
     const TetrahedralMesh volume = *makeTetrahedra(c.shape);
     EXPECT_EQ(volume.tetrahedra.size(), c.tetrahedra) << c.name;
+    EXPECT_EQ(tetrahedraOf(c.shape), static_cast<double>(c.tetrahedra)) << c.name;
     double least_m3 = INFINITY;
     for (const Tetrahedron& one : volume.tetrahedra)
       least_m3 = std::min(least_m3, signedVolume(cornersOf(volume, one)));
@@ -174,10 +175,10 @@ TEST(Tetrahedra, OfAFineSphereAreAsGoodAsThoseOfACoarseOne) {
 
 TEST(Tetrahedra, AreMissingWhereOnlyASurfaceIsGiven) {
   for (const SurfaceShape& shape : {SurfaceShape(TrianglesShape{}), SurfaceShape(FileShape{})}) {
-    EXPECT_FALSE(hasTetrahedra(shape));
+    EXPECT_FALSE(tetrahedraOf(shape));
     EXPECT_FALSE(makeTetrahedra(shape));
   }
-  for (const Case& c : cases()) EXPECT_TRUE(hasTetrahedra(c.shape)) << c.name;
+  for (const Case& c : cases()) EXPECT_TRUE(tetrahedraOf(c.shape)) << c.name;
 }
 
 using Place = std::array<long, 3>;

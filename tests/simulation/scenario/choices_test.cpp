@@ -180,7 +180,7 @@ TEST_F(Choices, EachShapeHasAGoodVolumeInItsSurfaceOrSaysThatItHasNone) {
   for (const SurfaceShape& shape : shapes()) {
     const std::string name(catalog().body_shapes[shape.index()].name);
     const std::optional<TetrahedralMesh> volume = makeTetrahedra(shape);
-    EXPECT_EQ(volume.has_value(), hasTetrahedra(shape)) << name;
+    EXPECT_EQ(volume.has_value(), tetrahedraOf(shape).has_value()) << name;
     EXPECT_EQ(volume.has_value(), name != "file" && name != "triangles");
     if (!volume) continue;
     EXPECT_TRUE(inspectTetrahedra(*volume, makeSurface(shape, SurfaceFiles(folder_))).empty()) << name;

@@ -122,6 +122,12 @@ TEST(Elastic, WhatItsEngineHasNotIsRefused) {
   EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"bodies.ball.shape"});
 
   scenario = elastic();
+  scenario.bodies[0].shape = SphereShape{.radius_m = 0.03, .subdivisions = 6};
+  EXPECT_TRUE(validate(scenario).empty());
+  scenario.bodies[0].shape = SphereShape{.radius_m = 0.03, .subdivisions = 7};
+  EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"bodies.ball.shape"});
+
+  scenario = elastic();
   scenario.pipelines = {{.name = "sdf", .pipeline = PipelineKind::default_sdf},
                         {.name = "clusters", .pipeline = PipelineKind::cluster},
                         {.name = "nodes", .pipeline = PipelineKind::fukuhara},

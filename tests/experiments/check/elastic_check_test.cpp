@@ -1,0 +1,46 @@
+// What only the volume of an elastic body says: how many substeps it needs, and that they are too many.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "check/scenario_input.h"
+
+namespace fissure::elastic_check_test {
+
+namespace {
+
+CheckedScenario checked(const std::string& elastic) {
+  const std::string text =
+      "format: 1\nname: s\ntime: {duration_s: 1, step_s: 0.001}\nbodies:\n"
+      "  - {name: ball, shape: {type: sphere, radius_m: 0.03, subdivisions: 2}, model: elastic, elastic: {" +
+      elastic + "}}\npipelines:\n  - {pipeline: swept}\n";
+  return checkLoaded("s.yaml", parseScenario(text, "s.yaml"), {});
+}
+
+TEST(ElasticCheck, SaysWhatAStepCosts) {
+  const CheckedScenario soft = checked("youngs_modulus_Pa: 10000");
+  ASSERT_TRUE(soft.substeps);
+  EXPECT_EQ(soft.substeps->tetrahedra, 512u);
+  EXPECT_EQ(soft.substeps->substeps, 1);
+  // Frequencies go with the root of the modulus.
+  const CheckedScenario stiff = checked("youngs_modulus_Pa: 1.0e8");
+  EXPECT_NEAR(stiff.substeps->critical_step_s, soft.substeps->critical_step_s / 100,
+              1e-6 * soft.substeps->critical_step_s);
+  EXPECT_GT(stiff.substeps->substeps, 10);
+}
+
+TEST(ElasticCheck, RefusesMoreSubstepsThanAreAffordable) {
+  try {
+    checked("viscosity_Pa_s: 1.0e9");
+    FAIL() << "expected InputError";
+  } catch (const InputError& error) {
+    const std::string text = error.what();
+    EXPECT_EQ(text.find('\n'), std::string::npos);
+    EXPECT_NE(text.find("bodies.ball.elastic"), std::string::npos) << text;
+    EXPECT_NE(text.find("substeps"), std::string::npos) << text;
+  }
+}
+
+}  // namespace
+
+}  // namespace fissure::elastic_check_test
