@@ -29,7 +29,7 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
     stopped_more = ground_ && putOnGround(step.positions_m, inverse_masses);
     for (std::size_t o = 0; o < obstacles.size(); ++o) {
       SweptObstacle& obstacle = obstacles[o];
-      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
+      obstacle.setNow(movedPose(step, obstacle.tool), step.positions_m);
       const double separation_m = kLeastSeparation * obstacle.margin_m;
       obstacle.pairs.gather(obstacle.path(), separation_m);
       crossings_.clear();
@@ -49,11 +49,15 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
     }
     const SweptObstacle& obstacle = obstacles[stopped_by_[v]];
     const Vec3& at_m = obstacle.before_m[v - obstacle.first_vertex];
-    const Vec3 tool_way_m = step.tools_now[obstacle.tool].pose.toScene(at_m) -
-                            step.tools_before[obstacle.tool].pose.toScene(at_m);
-    const Vec3 change_m = tool_way_m - way_m[v] - motion_m[v];
+    const Vec3 tool_way_m =
+        movedPose(step, obstacle.tool).toScene(at_m) - step.tools_before[obstacle.tool].pose.toScene(at_m);
+    ToolBody led;
+    ToolBody& body = step.tool_bodies.empty() ? led : step.tool_bodies[obstacle.tool];
+    const double share = inverse_masses[v] / (inverse_masses[v] + body.inverse_mass_1_kg);
+    const Vec3 change_m = share * (tool_way_m + body.motion_m - body.offset_m - way_m[v] - motion_m[v]);
     motion_m[v] += change_m;
     stopped_.push_back({static_cast<int>(v), obstacle.tool, change_m / inverse_masses[v], tool_way_m});
+    body.motion_m -= body.inverse_mass_1_kg * stopped_.back().impulse_kg_m;
   }
   counts_.vertices += static_cast<long long>(stopped_.size());
   counts_.steps += stopped_.empty() ? 0 : 1;
@@ -84,7 +88,7 @@ bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptP
     if (only_ride_ && rides_[v] && stopped_by_[v] <= index) continue;
     const double share = only_ride_ ? 0 : kKept * pair.time;
     const Vec3 &from_m = obstacle.before_m[of_body], &to_m = obstacle.now_m[of_body];
-    step.positions_m[v] = step.tools_now[obstacle.tool].pose.toScene(from_m + share * (to_m - from_m));
+    step.positions_m[v] = movedPose(step, obstacle.tool).toScene(from_m + share * (to_m - from_m));
     if (single_precision_) roundToSingle(step.positions_m[v]);
     stopped_by_[v] = index;
     rides_[v] = only_ride_ ? 1 : 0;

@@ -34,7 +34,8 @@ class PathTruncation {
 
   /// Moves the step's positions_m until nothing crosses. A stopped vertex takes the tool's velocity: its
   /// share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the tool's way less the vertex's
-  /// own, `way_m`, before its contacts. One put on the ground loses what of its velocity leads into it.
+  /// own, `way_m`, before its contacts; with a tool that is a body it takes their common velocity, and what
+  /// that gives the vertex the tool loses. One put on the ground loses what of its velocity leads into it.
   /// inverse_masses: one a vertex in 1/kg, 0: fixed.
   void apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses, const StepView& step,
              std::span<const Vec3> way_m, std::span<Vec3> motion_m);
