@@ -46,8 +46,9 @@ SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder
 void SweepPlan::sortAxes() {
   const Scenario& scenario = base_.scenario;
   const std::vector<std::string>& paths = manifest_.points.paths();
-  bool laws_move_nothing = std::none_of(scenario.tools.begin(), scenario.tools.end(),
-                                        [](const ToolSettings& tool) { return tool.coupling.has_value(); });
+  bool laws_move_nothing = std::none_of(
+      scenario.tools.begin(), scenario.tools.end(),
+      [](const ToolSettings& tool) { return tool.coupling && !tool.coupling->isPushedByContacts(); });
   for (const std::string& path : paths) {
     const std::vector<std::string> parts = splitPath(path);
     Axis& axis = axes_.emplace_back();

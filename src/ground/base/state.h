@@ -13,7 +13,8 @@ namespace fissure {
 /// A tool at the end of a step.
 struct ToolState {
   Pose pose;
-  Vec3 velocity_m_s = Vec3::Zero();            ///< of the tool's origin, mean over the step
+  /// Of the tool's origin, mean over the step; of a tool that contacts push, at its end.
+  Vec3 velocity_m_s = Vec3::Zero();
   Vec3 angular_velocity_rad_s = Vec3::Zero();  ///< scene frame, mean over the step
 };
 

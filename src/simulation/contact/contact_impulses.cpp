@@ -22,6 +22,11 @@ void move(const ContactConstraint& contact, const Vec3& push_kg_m, std::span<con
   }
 }
 
+/// Of a contact's tool by contacts so far.
+Vec3 movedBy(const Vec3* tool_moved_m) {
+  return tool_moved_m ? *tool_moved_m : Vec3::Zero();
+}
+
 }  // namespace
 
 void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
@@ -35,6 +40,7 @@ void ContactImpulses::apply(std::span<const ContactConstraint> constraints,
     way_m_[v] = start_m_[v] - step.before_m[v];
     motion_m_[v] = positions_m[v] - start_m_[v];
   }
+  beginMotion(step);
   forgetOldOverlap(constraints, inverse_masses);
 }
 
@@ -73,6 +79,7 @@ double ContactImpulses::toolWork_kg_m2() const {
 void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
                               std::span<const double> inverse_masses, const StepView& step) {
   pushes_.assign(constraints.size(), {});
+  for (ToolBody& body : step.tool_bodies) body.offset_m = body.motion_m = Vec3::Zero();
   normals_.resize(constraints.size());
   const Pose rest;  // of the ground
   for (std::size_t i = 0; i < constraints.size(); ++i) {
@@ -86,8 +93,13 @@ void ContactImpulses::prepare(std::span<const ContactConstraint> constraints,
       push.mobility += inverse_masses[contact.vertices[j]] * contact.weights[j] * contact.weights[j];
       most = std::max(most, inverse_masses[contact.vertices[j]]);
     }
-    if (push.mobility < least_mobility_ * most) push.mobility = 0;
     const bool of_ground = contact.tool == kGround;
+    if (!of_ground && !step.tool_bodies.empty() && step.tool_bodies[contact.tool].inverse_mass_1_kg > 0) {
+      push.tool_inverse_mass_1_kg = step.tool_bodies[contact.tool].inverse_mass_1_kg;
+      push.tool_moved_m = &step.tool_bodies[contact.tool].offset_m;
+      push.mobility += push.tool_inverse_mass_1_kg;
+    }
+    if (push.mobility < least_mobility_ * most) push.mobility = 0;
     const Pose& from = of_ground ? rest : step.tools_before[contact.tool].pose;
     const Pose& to = of_ground ? rest : step.tools_now[contact.tool].pose;
     const Vec3 was_at_m = from.toScene(to.toBody(contact.position_m));
@@ -110,13 +122,15 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
       Push& push = pushes_[i];
       if (!(push.mobility > 0)) continue;
       const double short_by_m =
-          contact.target_m - (pointOf(contact, positions_m) - contact.position_m).dot(contact.normal);
+          contact.target_m - (pointOf(contact, positions_m) - contact.position_m - movedBy(push.tool_moved_m))
+                                 .dot(contact.normal);
       const double change_kg_m = std::max(short_by_m / push.mobility, -push.kg_m);
       if (change_kg_m != 0) {
         ++counts_.pushes;
         changed = true;
         push.kg_m += change_kg_m;
         move(contact, change_kg_m, inverse_masses, positions_m);
+        recoil(push, change_kg_m * contact.normal);
       }
       if (contact.friction > 0)
         changed |= rub(contact, push, pointOf(contact, positions_m), inverse_masses, positions_m);
@@ -128,7 +142,7 @@ void ContactImpulses::pushOut(std::span<const ContactConstraint> constraints,
 // stopped, or slowed down by as much as the push along the normal allows. Whether that changed anything.
 bool ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
                           std::span<const double> inverse_masses, std::span<Vec3> of_vertices) {
-  Vec3 slip_m = point_m - push.stuck_at_m;
+  Vec3 slip_m = point_m - push.stuck_at_m - movedBy(push.tool_moved_m);
   slip_m -= slip_m.dot(contact.normal) * contact.normal;
   Vec3 friction_kg_m = push.friction_kg_m - slip_m / push.mobility;
   const double most_kg_m = contact.friction * std::max(push.kg_m, 0.0);  // rounding may leave less than none
@@ -136,8 +150,24 @@ bool ContactImpulses::rub(const ContactConstraint& contact, Push& push, const Ve
   if (wanted_kg_m > most_kg_m) friction_kg_m *= most_kg_m / wanted_kg_m;
   const Vec3 change_kg_m = friction_kg_m - push.friction_kg_m;
   move(contact, change_kg_m, inverse_masses, of_vertices);
+  recoil(push, change_kg_m);
   push.friction_kg_m = friction_kg_m;
   return change_kg_m != Vec3::Zero();
+}
+
+// Tools' displacement in the step now has their offset, and from here on it is their motion that changes.
+void ContactImpulses::beginMotion(const StepView& step) {
+  for (ToolBody& body : step.tool_bodies) body.motion_m = body.offset_m;
+  for (Push& push : pushes_) {
+    if (!push.tool_moved_m) continue;
+    push.tool_step_m += *push.tool_moved_m;
+    push.tool_moved_m = &step.tool_bodies[push.tool].motion_m;
+  }
+}
+
+// What a push gives the tissue, its tool loses.
+void ContactImpulses::recoil(const Push& push, const Vec3& push_kg_m) {
+  if (push.tool_moved_m) *push.tool_moved_m -= push.tool_inverse_mass_1_kg * push_kg_m;
 }
 
 // Where a contact pushed and its tissue now leaves the tool, the part of that speed that comes from undoing
@@ -155,7 +185,9 @@ void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constr
       if (!(push.mobility > 0)) continue;
       if (push.kg_m > 0 && push.old_overlap_m > 0) {
         const double leaves_m =
-            (pointOf(contact, way_m_) + pointOf(contact, motion_m_)).dot(contact.normal) - push.tool_way_m;
+            (pointOf(contact, way_m_) + pointOf(contact, motion_m_) - movedBy(push.tool_moved_m))
+                .dot(contact.normal) -
+            push.tool_way_m;
         const double removed_m =
             std::min({std::max(leaves_m, 0.0), push.old_overlap_m, push.kg_m * push.mobility});
         counts_.pushes += removed_m != 0 ? 1 : 0;
@@ -163,6 +195,7 @@ void ContactImpulses::forgetOldOverlap(std::span<const ContactConstraint> constr
         push.old_overlap_m -= removed_m;
         push.kg_m -= removed_m / push.mobility;
         move(contact, -removed_m / push.mobility, inverse_masses, motion_m_);
+        recoil(push, -removed_m / push.mobility * contact.normal);
       }
       if (contact.friction > 0)
         changed |= rub(contact, push, pointOf(contact, start_m_) + pointOf(contact, motion_m_),

@@ -18,6 +18,10 @@ namespace fissure {
 /// Coulomb friction: within the same sweeps a contact also pushes along the tool's surface, against what the
 /// tissue point slips on it in the step, by at most `friction` times its push along the normal: a cone, as a
 /// tissue point is as mobile in every direction.
+///
+/// A tool that is a body (StepView::tool_bodies) takes part with its own mass: every push moves tissue one
+/// way and the tool the other, gap and slip are those of the moved tool, and what is displacement without
+/// motion is so for both. So the momentum of tissue and tool together stays what it was.
 class ContactImpulses {
  public:
   /// `least_mobility`: a contact whose point is less mobile than this share of its most mobile vertex is
@@ -25,7 +29,7 @@ class ContactImpulses {
   ContactImpulses(int vertex_count, int sweeps, double least_mobility = 0)
       : sweeps_(sweeps), least_mobility_(least_mobility), motion_m_(vertex_count) {}
 
-  /// Moves the step's positions_m in place. inverse_masses: one per vertex in 1/kg, 0: fixed.
+  /// Moves the step's positions_m and tool_bodies in place. inverse_masses: one per vertex in 1/kg, 0: fixed.
   void apply(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
              const StepView& step);
 
@@ -53,13 +57,15 @@ class ContactImpulses {
   struct Push {
     int vertex = 0;                   ///< the first of its triangle
     int tool = 0;                     ///< or kGround
-    double mobility = 0;              ///< of the tissue point along the normal, 1/kg
+    double mobility = 0;              ///< of the tissue point from the tool along the normal, 1/kg
     double kg_m = 0;                  ///< impulse so far times the time step, never negative
     Vec3 tool_step_m = Vec3::Zero();  ///< displacement of the tool point in the step
     double tool_way_m = 0;            ///< the same along the normal
     double old_overlap_m = 0;         ///< there at the start of the step, as far as it still counts as motion
     Vec3 friction_kg_m = Vec3::Zero();  ///< the same as kg_m along the surface, on the tissue
     Vec3 stuck_at_m = Vec3::Zero();     ///< the tissue point had it gone with the tool; only with friction
+    double tool_inverse_mass_1_kg = 0;
+    Vec3* tool_moved_m = nullptr;  ///< of a tool that is a body: its offset, then its motion
   };
   void prepare(std::span<const ContactConstraint> constraints, std::span<const double> inverse_masses,
                const StepView& step);
@@ -67,6 +73,8 @@ class ContactImpulses {
                std::span<Vec3> positions_m);
   void forgetOldOverlap(std::span<const ContactConstraint> constraints,
                         std::span<const double> inverse_masses);
+  void beginMotion(const StepView& step);
+  static void recoil(const Push& push, const Vec3& push_kg_m);
   static bool rub(const ContactConstraint& contact, Push& push, const Vec3& point_m,
                   std::span<const double> inverse_masses, std::span<Vec3> of_vertices);
 

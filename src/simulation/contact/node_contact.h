@@ -54,7 +54,8 @@ class NodeContact {
  public:
   NodeContact(const Scene& scene, NodeContactSettings settings);
 
-  /// One step, after the engine's own solve: moves its positions_m in place. inverse_masses: one per vertex
+  /// One step, after the engine's own solve: moves its positions_m in place, and tool_bodies with response
+  /// momentum. inverse_masses: one per vertex
   /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
   void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
             ContactPatch& patch);

@@ -21,23 +21,11 @@ void PathTruncation::clear() {
 
 void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses,
                            const StepView& step, std::span<const Vec3> way_m, std::span<Vec3> motion_m) {
-  clear();
-  bool stopped_more = true;
-  for (int pass = 0; stopped_more; ++pass) {
-    only_ride_ = pass >= kShortenings;
-    left_overlap_ = false;
-    stopped_more = ground_ && putOnGround(step.positions_m, inverse_masses);
-    for (std::size_t o = 0; o < obstacles.size(); ++o) {
-      SweptObstacle& obstacle = obstacles[o];
-      obstacle.setNow(step.tools_now[obstacle.tool].pose, step.positions_m);
-      const double separation_m = kLeastSeparation * obstacle.margin_m;
-      obstacle.pairs.gather(obstacle.path(), separation_m);
-      crossings_.clear();
-      obstacle.pairs.findCrossings(obstacle.path(), separation_m, crossings_);
-      left_overlap_ |= !crossings_.empty();
-      for (const SweptPair& pair : crossings_)
-        stopped_more |= stop(obstacle, static_cast<int>(o), pair, step, inverse_masses);
-    }
+  if (!step.tool_bodies.empty()) start_m_.assign(step.positions_m.begin(), step.positions_m.end());
+  stopTissue(obstacles, inverse_masses, step);
+  if (left_overlap_ && holdTools(step)) {
+    std::copy(start_m_.begin(), start_m_.end(), step.positions_m.begin());
+    stopTissue(obstacles, inverse_masses, step);
   }
   for (std::size_t v = 0; v < stopped_by_.size(); ++v) {
     if (stopped_by_[v] == kNone) continue;
@@ -49,15 +37,53 @@ void PathTruncation::apply(std::span<SweptObstacle> obstacles, std::span<const d
     }
     const SweptObstacle& obstacle = obstacles[stopped_by_[v]];
     const Vec3& at_m = obstacle.before_m[v - obstacle.first_vertex];
-    const Vec3 tool_way_m = step.tools_now[obstacle.tool].pose.toScene(at_m) -
-                            step.tools_before[obstacle.tool].pose.toScene(at_m);
-    const Vec3 change_m = tool_way_m - way_m[v] - motion_m[v];
+    const Vec3 tool_way_m =
+        movedPose(step, obstacle.tool).toScene(at_m) - step.tools_before[obstacle.tool].pose.toScene(at_m);
+    ToolBody led;
+    ToolBody& body = step.tool_bodies.empty() ? led : step.tool_bodies[obstacle.tool];
+    const double share = inverse_masses[v] / (inverse_masses[v] + body.inverse_mass_1_kg);
+    const Vec3 change_m = share * (tool_way_m + body.motion_m - body.offset_m - way_m[v] - motion_m[v]);
     motion_m[v] += change_m;
     stopped_.push_back({static_cast<int>(v), obstacle.tool, change_m / inverse_masses[v], tool_way_m});
+    body.motion_m -= body.inverse_mass_1_kg * stopped_.back().impulse_kg_m;
   }
   counts_.vertices += static_cast<long long>(stopped_.size());
   counts_.steps += stopped_.empty() ? 0 : 1;
   counts_.no_room_steps += left_overlap_ ? 1 : 0;
+}
+
+void PathTruncation::stopTissue(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses,
+                                const StepView& step) {
+  clear();
+  bool stopped_more = true;
+  for (int pass = 0; stopped_more; ++pass) {
+    only_ride_ = pass >= kShortenings;
+    left_overlap_ = false;
+    stopped_more = ground_ && putOnGround(step.positions_m, inverse_masses);
+    for (std::size_t o = 0; o < obstacles.size(); ++o) {
+      SweptObstacle& obstacle = obstacles[o];
+      obstacle.setNow(movedPose(step, obstacle.tool), step.positions_m);
+      const double separation_m = kLeastSeparation * obstacle.margin_m;
+      obstacle.pairs.gather(obstacle.path(), separation_m);
+      crossings_.clear();
+      obstacle.pairs.findCrossings(obstacle.path(), separation_m, crossings_);
+      left_overlap_ |= !crossings_.empty();
+      for (const SweptPair& pair : crossings_)
+        stopped_more |= stop(obstacle, static_cast<int>(o), pair, step, inverse_masses);
+    }
+  }
+}
+
+// Whether one is there to be held.
+bool PathTruncation::holdTools(const StepView& step) {
+  bool any = false;
+  for (std::size_t t = 0; t < step.tool_bodies.size(); ++t) {
+    ToolBody& body = step.tool_bodies[t];
+    if (!(body.inverse_mass_1_kg > 0)) continue;
+    body.offset_m = step.tools_before[t].pose.position_m - step.tools_now[t].pose.position_m;
+    any = true;
+  }
+  return any;
 }
 
 // Whether a vertex was moved. In the end, the ground comes before every tool.
@@ -84,7 +110,7 @@ bool PathTruncation::stop(const SweptObstacle& obstacle, int index, const SweptP
     if (only_ride_ && rides_[v] && stopped_by_[v] <= index) continue;
     const double share = only_ride_ ? 0 : kKept * pair.time;
     const Vec3 &from_m = obstacle.before_m[of_body], &to_m = obstacle.now_m[of_body];
-    step.positions_m[v] = step.tools_now[obstacle.tool].pose.toScene(from_m + share * (to_m - from_m));
+    step.positions_m[v] = movedPose(step, obstacle.tool).toScene(from_m + share * (to_m - from_m));
     if (single_precision_) roundToSingle(step.positions_m[v]);
     stopped_by_[v] = index;
     rides_[v] = only_ride_ ? 1 : 0;

@@ -22,7 +22,8 @@ struct TruncationCounts {
 /// rides with the tool. What ends below the ground is put on it. Every pass stops more, and looks at the
 /// ground and all tools again. Where there is no room, fixed vertices never move, what else is tissue stays
 /// above the ground, and the first tool in the scenario's order stays free of it; the step counts as one
-/// without room where tissue may then overlap a tool.
+/// without room where tissue may then overlap a tool. Before that a tool that is a body is taken back to
+/// where it was when the step began, and keeps its velocity.
 class PathTruncation {
  public:
   /// `single_precision`: of the engine; positions are rounded to it before they are checked.
@@ -32,10 +33,11 @@ class PathTruncation {
         stopped_by_(vertex_count, kNone),
         rides_(vertex_count) {}
 
-  /// Moves the step's positions_m until nothing crosses. A stopped vertex takes the tool's velocity: its
-  /// share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the tool's way less the vertex's
-  /// own, `way_m`, before its contacts. One put on the ground loses what of its velocity leads into it.
-  /// inverse_masses: one a vertex in 1/kg, 0: fixed.
+  /// Moves the step's positions_m, at worst its tool_bodies too, until nothing crosses. A stopped vertex
+  /// takes the tool's velocity: its share of `motion_m` (one a vertex, as ContactImpulses has it) becomes the
+  /// tool's way less the vertex's own, `way_m`, before its contacts; with a tool that is a body it takes
+  /// their common velocity, and what that gives the vertex the tool loses. One put on the ground loses what
+  /// of its velocity leads into it. inverse_masses: one a vertex in 1/kg, 0: fixed.
   void apply(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses, const StepView& step,
              std::span<const Vec3> way_m, std::span<Vec3> motion_m);
 
@@ -61,6 +63,9 @@ class PathTruncation {
     Vec3 tool_step_m = Vec3::Zero();  ///< displacement of the tool there in the step; zero of the ground
   };
 
+  void stopTissue(std::span<SweptObstacle> obstacles, std::span<const double> inverse_masses,
+                  const StepView& step);
+  static bool holdTools(const StepView& step);
   bool putOnGround(std::span<Vec3> positions_m, std::span<const double> inverse_masses);
   bool stop(const SweptObstacle& obstacle, int index, const SweptPair& pair, const StepView& step,
             std::span<const double> inverse_masses);
@@ -72,7 +77,8 @@ class PathTruncation {
   std::vector<std::uint8_t> rides_;  ///< per vertex, 1: what stopped it keeps it where it put it
   std::vector<SweptPair> crossings_;
   std::vector<Stopped> stopped_;
-  bool only_ride_ = false;  ///< paths were shortened often enough
+  std::vector<Vec3> start_m_;  ///< positions before tissue was stopped; only where tools are bodies
+  bool only_ride_ = false;     ///< paths were shortened often enough
   bool left_overlap_ = false;
 };
 

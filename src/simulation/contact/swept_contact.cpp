@@ -51,6 +51,7 @@ void SweptContact::step(const StepView& given, std::span<const double> inverse_m
                       .before_m = given.before_m,
                       .tools_before = tools_before_,
                       .tools_now = tools_now_,
+                      .tool_bodies = given.tool_bodies,
                       .dt_s = given.dt_s};
   solved_m_.assign(step.positions_m.begin(), step.positions_m.end());
   findNear(step);
@@ -140,8 +141,8 @@ bool SweptContact::findCrossings(const StepView& step, bool whole_paths) {
   for (std::size_t o = 0; o < obstacles_.size(); ++o) {
     SweptObstacle& obstacle = obstacles_[o];
     const double separation_m = kSeparation * obstacle.margin_m;
-    const Pose& pose = step.tools_now[obstacle.tool].pose;
-    if (whole_paths) {
+    const Pose pose = movedPose(step, obstacle.tool);
+    if (whole_paths || !step.tool_bodies.empty()) {
       obstacle.setNow(pose, step.positions_m);
       obstacle.pairs.gather(obstacle.path(), separation_m);
     } else {
@@ -250,7 +251,10 @@ void SweptContact::touch(const StepView& step, std::size_t index, std::span<cons
                          ContactPatch& patch) const {
   const ContactConstraint& contact = constraints_[index];
   const SweptObstacle& obstacle = obstacles_[sources_[index].obstacle];
-  const double gap_m = (pointOf(contact, step.positions_m) - contact.position_m).dot(contact.normal);
+  const Vec3 moved_m =
+      movedPose(step, contact.tool).position_m - step.tools_now[contact.tool].pose.position_m;
+  const double gap_m =
+      (pointOf(contact, step.positions_m) - contact.position_m - moved_m).dot(contact.normal);
   const double solved_m = (pointOf(contact, solved_m_) - contact.position_m).dot(contact.normal);
   const double weight = weightAt(gap_m / obstacle.margin_m);
   const double displacement_m = std::max(contact.target_m - solved_m, 0.0);

@@ -59,12 +59,16 @@ struct SweptTimes {
 ///
 /// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
 /// beside it and comes back, max_displacement_m a step.
+///
+/// A tool that is a body (StepView::tool_bodies) has another end pose after each response: what crosses is
+/// looked for against that, and what is stopped pushes it too.
 class SweptContact {
  public:
   SweptContact(const Scene& scene, SweptContactSettings settings);
 
-  /// One step, after the engine's own solve: moves its positions_m in place. inverse_masses: one per vertex
-  /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
+  /// One step, after the engine's own solve: moves its positions_m and tool_bodies in place. inverse_masses:
+  /// one per vertex in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch
+  /// has.
   void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
             ContactPatch& patch);
 

@@ -38,6 +38,9 @@ class MethodPipeline : public Pipeline {
     world_.solver().setAfterSolve([this] { afterSolve(); });
   }
 
+  bool pushesTools() const override { return method_->pushesTools(); }
+  void setToolBodies(std::span<ToolBody> bodies) override { tool_bodies_ = bodies; }
+
   void moveTools(const std::vector<ToolState>& before, const std::vector<ToolState>& now) override {
     before_ = before;
     now_ = now;
@@ -67,6 +70,7 @@ class MethodPipeline : public Pipeline {
                    .before_m = before_m_,
                    .tools_before = before_,
                    .tools_now = now_,
+                   .tool_bodies = tool_bodies_,
                    .dt_s = step_s_},
                   inverse_masses_, outcome_, patch_);
     clock = {};
@@ -85,9 +89,10 @@ class MethodPipeline : public Pipeline {
   std::vector<Vec3> positions_m_;
   std::vector<Vec3> before_m_;  ///< tissue when the step began: as contacts left it in the last step
   std::vector<ToolState> before_, now_;
-  ContactOutcome outcome_;  ///< of the step until it is reported
-  ContactPatch patch_;      ///< likewise
-  double transfer_s_ = 0;   ///< of positions and motion between Bullet and the method, so far
+  std::span<ToolBody> tool_bodies_;  ///< of the step, which owns them
+  ContactOutcome outcome_;           ///< of the step until it is reported
+  ContactPatch patch_;               ///< likewise
+  double transfer_s_ = 0;            ///< of positions and motion between Bullet and the method, so far
   double collision_us_ = 0;
 };
 

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/record.h"
 #include "base/state.h"
 #include "contact/contact_patch.h"
+#include "contact/step_view.h"
 #include "engine/bullet_world.h"
 
 namespace fissure {
@@ -15,6 +17,10 @@ namespace fissure {
 class Pipeline {
  public:
   virtual ~Pipeline() = default;
+  /// Whether contacts push tools that are bodies; where not, all are led.
+  virtual bool pushesTools() const { return false; }
+  /// Before moveTools: those of the step. They outlive it.
+  virtual void setToolBodies(std::span<ToolBody> /*bodies*/) {}
   /// Before Bullet's step: the tools move to their poses at its end.
   virtual void moveTools(const std::vector<ToolState>& before, const std::vector<ToolState>& now) = 0;
   /// After Bullet's step: contacts, counts, reaction and collision time of the step into `state` and `patch`.

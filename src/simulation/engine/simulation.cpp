@@ -72,18 +72,24 @@ class BulletSimulation : public Simulation {
  public:
   BulletSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
                    const std::vector<Pose>& first_poses)
-      : factory_(pipelineFactory(settings.pipeline)),
+      : step_s_(scenario.time.step_s),
+        factory_(pipelineFactory(settings.pipeline)),
         world_(scenario, settings, scene, factory_.configuration ? factory_.configuration() : nullptr),
         pipeline_(factory_.make({scenario, settings, scene, world_, first_poses})),
         stepped_(scenario, scene, first_poses, masses(scene, world_.inverseMasses())) {
     collect();
   }
 
-  void step(const std::vector<Pose>& poses) override {
-    stepped_.beginStep(poses);
+  using Simulation::step;
+  void step(const std::vector<Pose>& poses, std::span<const double> tool_inverse_masses_1_kg) override {
+    if (!tool_inverse_masses_1_kg.empty() && !pipeline_->pushesTools())
+      throw std::invalid_argument("the contacts of this pipeline can push no tool");
+    stepped_.beginStep(poses, tool_inverse_masses_1_kg);
+    pipeline_->setToolBodies(stepped_.toolBodies());
     pipeline_->moveTools(stepped_.toolsBefore(), state().tools);
     world_.step();
     pipeline_->report(state(), stepped_.patch());
+    movePushedTools();
     collect();
     stepped_.endStep();
   }
@@ -99,11 +105,21 @@ class BulletSimulation : public Simulation {
   }
 
  private:
+  void movePushedTools() {
+    const std::span<const ToolBody> bodies = stepped_.toolBodies();
+    for (std::size_t t = 0; t < bodies.size(); ++t) {
+      if (!(bodies[t].inverse_mass_1_kg > 0)) continue;
+      state().tools[t].pose.position_m += bodies[t].offset_m;
+      state().tools[t].velocity_m_s += bodies[t].motion_m / step_s_;
+    }
+  }
+
   void collect() {
     world_.readPositions(state().positions_m);
     world_.readVelocities(state().velocities_m_s);
   }
 
+  double step_s_;
   const PipelineFactory& factory_;
   BulletWorld world_;
   std::unique_ptr<Pipeline> pipeline_;

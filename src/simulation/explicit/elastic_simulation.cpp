@@ -1,6 +1,7 @@
 #include "explicit/elastic_simulation.h"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "explicit/contact_pressure.h"
@@ -72,13 +73,17 @@ class ElasticSimulation : public Simulation {
         impulses_N_s_(surface_vertices_),
         pressure_(scene.bodies[0].rest.faces),
         tools_from_(first_poses.size()),
-        tools_to_(first_poses.size()) {
+        tools_to_(first_poses.size()),
+        pushed_m_s_(first_poses.size()) {
     state().volume.emplace();
     collect(0);
   }
 
-  void step(const std::vector<Pose>& poses) override {
-    stepped_.beginStep(poses);
+  using Simulation::step;
+  void step(const std::vector<Pose>& poses, std::span<const double> tool_inverse_masses_1_kg) override {
+    if (!tool_inverse_masses_1_kg.empty() && !method_->pushesTools())
+      throw std::invalid_argument("the contacts of this pipeline can push no tool");
+    stepped_.beginStep(poses, tool_inverse_masses_1_kg);
     StageClock clock;
     const int substeps = tissue_.substepsFor(step_s_);
     clock.lap(critical_step_s_);
@@ -86,7 +91,13 @@ class ElasticSimulation : public Simulation {
     mean_.begin();
     std::fill(impulses_N_s_.begin(), impulses_N_s_.end(), Vec3::Zero());
     tools_from_ = stepped_.toolsBefore();
+    std::fill(pushed_m_s_.begin(), pushed_m_s_.end(), Vec3::Zero());
     for (int i = 1; i <= substeps; ++i) substep(static_cast<double>(i) / substeps, step_s_ / substeps);
+    for (std::size_t t = 0; t < pushed_m_s_.size(); ++t) {
+      if (!isPushed(t)) continue;
+      state().tools[t].pose.position_m = tools_from_[t].pose.position_m;
+      state().tools[t].velocity_m_s += pushed_m_s_[t];
+    }
     mean_.finish(state().contact);
     state().volume->tool_work_J += state().contact.tool_work_J;
     collect(substeps);
@@ -117,6 +128,23 @@ class ElasticSimulation : public Simulation {
     return surface_kg;
   }
 
+  bool isPushed(std::size_t tool) {
+    return !stepped_.toolBodies().empty() && stepped_.toolBodies()[tool].inverse_mass_1_kg > 0;
+  }
+
+  /// Sets tools_to_, before this substep's contacts. What leads a tool that contacts push changes its
+  /// velocity evenly over the step, so that at rest contacts bear the same force in every substep.
+  void leadTools(double share, double substep_s) {
+    const std::vector<ToolState>&before = stepped_.toolsBefore(), &now = state().tools;
+    for (std::size_t t = 0; t < now.size(); ++t) {
+      tools_to_[t] = share < 1 ? between(before[t], now[t], share) : now[t];
+      if (!isPushed(t)) continue;
+      const Vec3 &from_m_s = before[t].velocity_m_s, &to_m_s = now[t].velocity_m_s;
+      tools_to_[t].velocity_m_s = from_m_s + share * (to_m_s - from_m_s) + pushed_m_s_[t];
+      tools_to_[t].pose.position_m = tools_from_[t].pose.position_m + substep_s * tools_to_[t].velocity_m_s;
+    }
+  }
+
   void substep(double share, double substep_s) {
     StageClock clock;
     const std::span<Vec3> surface_m = tissue_.positions_m().first(surface_vertices_);
@@ -124,19 +152,23 @@ class ElasticSimulation : public Simulation {
     tissue_.advance(substep_s);
     clock.lap(elements_s_);
     double contact_s = 0;
-    const std::vector<ToolState>&before = stepped_.toolsBefore(), &now = state().tools;
-    for (std::size_t t = 0; t < now.size(); ++t)
-      tools_to_[t] = share < 1 ? between(before[t], now[t], share) : now[t];
+    leadTools(share, substep_s);
     method_->step({.positions_m = surface_m,
                    .before_m = before_m_,
                    .tools_before = tools_from_,
                    .tools_now = tools_to_,
+                   .tool_bodies = stepped_.toolBodies(),
                    .dt_s = substep_s},
                   tissue_.inverseMasses_1_kg().first(surface_vertices_), outcome_, stepped_.patch());
     const std::span<const Vec3> motion_m = method_->motion_m();
     tissue_.addMotion(motion_m.empty() ? still_m_ : motion_m, substep_s);
     for (std::size_t v = 0; v < motion_m.size(); ++v)
       if (surface_kg_[v] > 0) impulses_N_s_[v] += surface_kg_[v] / substep_s * motion_m[v];
+    for (std::size_t t = 0; t < pushed_m_s_.size(); ++t) {
+      if (!isPushed(t)) continue;
+      tools_to_[t].pose.position_m += stepped_.toolBodies()[t].offset_m;
+      pushed_m_s_[t] += stepped_.toolBodies()[t].motion_m / substep_s;
+    }
     std::swap(tools_from_, tools_to_);
     mean_.add(outcome_);
     clock.lap(contact_s);
@@ -180,6 +212,7 @@ class ElasticSimulation : public Simulation {
   std::vector<Vec3> impulses_N_s_;  ///< per surface vertex: of its contacts in the step
   ContactPressure pressure_;
   std::vector<ToolState> tools_from_, tools_to_;
+  std::vector<Vec3> pushed_m_s_;  ///< one a tool: change of its velocity by contacts in the step
   long long substeps_ = 0;
   double critical_step_s_ = 0, elements_s_ = 0;
 };

@@ -18,4 +18,15 @@ Vec3 VirtualCoupling::advance(const Vec3& target_m, const Vec3& force_on_tool_N)
   return position_m_;
 }
 
+double VirtualCoupling::inverseMass_1_kg() const {
+  const double k = settings_.stiffness_N_m, c = settings_.damping_N_s_m, m = settings_.mass_kg;
+  return 1 / (m + step_s_ * c + step_s_ * step_s_ * k);
+}
+
+void VirtualCoupling::push(const Vec3& position_m, const Vec3& velocity_m_s) {
+  force_N_ -= (settings_.damping_N_s_m + step_s_ * settings_.stiffness_N_m) * (velocity_m_s - velocity_m_s_);
+  position_m_ = position_m;
+  velocity_m_s_ = velocity_m_s;
+}
+
 }  // namespace fissure

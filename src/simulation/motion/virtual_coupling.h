@@ -18,8 +18,15 @@ class VirtualCoupling {
   /// what else pushes it.
   Vec3 advance(const Vec3& target_m, const Vec3& force_on_tool_N);
 
+  /// Where contacts push the tool within the step: the inverse of the mass that they meet after advance(),
+  /// which is more than the tool's own, as spring and damper hold against its new velocity at once. 1/kg.
+  double inverseMass_1_kg() const;
+  /// And what they made of the step: where the tool is at its end, and its velocity there.
+  void push(const Vec3& position_m, const Vec3& velocity_m_s);
+
   const Vec3& target_m() const { return target_m_; }
-  /// Of spring and damper on the tool at the end of the step; on the hand it is the opposite.
+  /// Of spring and damper on the tool at the end of the step; on the hand it is the opposite. Over the step
+  /// it and what contacts gave make the change of the tool's momentum.
   const Vec3& force_on_tool_N() const { return force_N_; }
 
  private:

@@ -97,20 +97,38 @@ void Run::makeCouplings() {
     if (!settings) continue;
     const auto law = std::find_if(scenario_.force.begin(), scenario_.force.end(),
                                   [&](const ForceSettings& force) { return force.name == settings->force; });
-    coupled_.push_back({t, static_cast<std::size_t>(law - scenario_.force.begin()),
-                        VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s)});
+    Coupled& coupled = coupled_.emplace_back(
+        t, std::nullopt, VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s));
+    if (!settings->isPushedByContacts()) {
+      coupled.law = static_cast<std::size_t>(law - scenario_.force.begin());
+      continue;
+    }
+    tool_inverse_masses_1_kg_.resize(poses.size());
+    tool_inverse_masses_1_kg_[t] = coupled.coupling.inverseMass_1_kg();
   }
 }
 
-// The force is that of the step before: this step's follows from where the tool goes. In steps of a
+// A law's force is that of the step before: this step's follows from where the tool goes. In steps of a
 // micronewton, so that the last bit of pow(), which differs between processors, does not reach the motion.
 void Run::moveCoupled(std::vector<Pose>& poses) {
   for (Coupled& coupled : coupled_) {
     Pose& pose = poses[coupled.tool];
+    if (!coupled.law) {
+      pose.position_m = coupled.coupling.advance(pose.position_m, Vec3::Zero());
+      continue;
+    }
     const Vec3& force_N =
-        simulation_->state().tool_forces_N[coupled.law * prepared_.scene.tools.size() + coupled.tool];
+        simulation_->state().tool_forces_N[*coupled.law * prepared_.scene.tools.size() + coupled.tool];
     const Vec3 felt_N = (1e6 * force_N).array().round() / 1e6;
     pose.position_m = coupled.coupling.advance(pose.position_m, felt_N);
+  }
+}
+
+void Run::notePushes() {
+  for (Coupled& coupled : coupled_) {
+    if (coupled.law) continue;
+    const ToolState& tool = simulation_->state().tools[coupled.tool];
+    coupled.coupling.push(tool.pose.position_m, tool.velocity_m_s);
   }
 }
 
@@ -150,10 +168,12 @@ void Run::noteCouplings() {
 bool Run::advance(std::int64_t step) {
   const double time_s = static_cast<double>(step) * scenario_.time.step_s;
   std::vector<Pose> poses = posesAt(time_s);
-  if (step > 0) moveCoupled(poses);  // while the tissue settles, hand and tool wait
+  const bool settles = step == 0;  // then hand and tool wait
+  if (!settles) moveCoupled(poses);
   const auto start = std::chrono::steady_clock::now();
-  simulation_->step(poses);
+  simulation_->step(poses, settles ? std::span<const double>() : tool_inverse_masses_1_kg_);
   const auto end = std::chrono::steady_clock::now();
+  if (!settles) notePushes();
   State& state = simulation_->state();
   state.step = step;
   state.time_s = time_s;

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "base/image.h"
@@ -46,6 +47,7 @@ class Run {
   std::vector<Pose> posesAt(double time_s) const;
   void makeCouplings();
   void moveCoupled(std::vector<Pose>& poses);
+  void notePushes();
   void noteClamps(double time_s);
   void noteCouplings();
   bool advance(std::int64_t step);
@@ -55,13 +57,15 @@ class Run {
   Scenario engine_scenario_;  ///< the same with rigidTools(), one a tool of the scene
   const PipelineSettings& pipeline_;
   PreparedScenario prepared_;
-  /// A tool that a force law moves.
+  /// A tool that a force law moves, or the contacts.
   struct Coupled {
-    std::size_t tool = 0;  ///< of the scene
-    std::size_t law = 0;
+    std::size_t tool = 0;            ///< of the scene
+    std::optional<std::size_t> law;  ///< none: the contacts
     VirtualCoupling coupling;
   };
   std::vector<Coupled> coupled_;
+  /// One a tool of the scene while contacts push one, 0: not this one.
+  std::vector<double> tool_inverse_masses_1_kg_;
   std::int64_t steps_ = 0, settling_steps_ = 0;
   std::unique_ptr<Simulation> simulation_;
 };

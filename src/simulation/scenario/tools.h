@@ -45,13 +45,17 @@ struct NodeSettings {
 };
 
 /// A tool of its own mass, which a hand leads by a spring and a damper (virtual coupling): its motion says
-/// where the hand is. What a force law says that tissue does to the tool then moves it, in steps of a
-/// micronewton; gravity and what contacts rub do not.
+/// where the hand is. What tissue does to it then moves it too; gravity does not.
 struct CouplingSettings {
   double mass_kg = 0;        ///< > 0; no default, as the next two
   double stiffness_N_m = 0;  ///< > 0
   double damping_N_s_m = 0;  ///< >= 0
-  std::string force;         ///< name of the entry of `force:` that pushes the tool
+  /// What tissue does to the tool: the name of an entry of `force:`, whose force of the step before moves it
+  /// in steps of a micronewton, without what contacts rub; or `reaction`: the contacts themselves move it as
+  /// they move the tissue, so that what the tool gains the tissue loses.
+  std::string force;
+
+  bool isPushedByContacts() const { return force == "reaction"; }
 
   bool operator==(const CouplingSettings&) const = default;
 };

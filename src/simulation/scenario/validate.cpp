@@ -130,14 +130,37 @@ void checkFriction(Checker check, const Scenario& scenario) {
   }
 }
 
+/// A tool that contacts push needs contacts that share momentum with it, in the scene's own time.
+void checkReaction(Checker check, const Scenario& scenario, const std::string& key) {
+  for (const PipelineSettings& entry : scenario.pipelines) {
+    check.require(entry.usesSurface() || (entry.usesNodes() && entry.hasFriction()), key,
+                  "is reaction, but the contacts of run " + entry.name + " push no tool, expected " +
+                      pipelinesWith({ContactDetection::surface}) + ", or " +
+                      pipelinesWith({ContactDetection::nodes}) + " with response momentum");
+  }
+  for (const BodySettings& body : scenario.bodies) {
+    check.require(body.timeScale() == 1, key,
+                  "is reaction, but bodies." + body.name + ".solver.time_scale is " +
+                      formatReal(body.timeScale()) + ", expected 1: tool and tissue share one time");
+  }
+  for (const ForceSettings& law : scenario.force) {
+    check.require(law.name != "reaction", key,
+                  "is reaction, but an entry of force has that name, expected another name for it");
+  }
+}
+
 void checkCouplings(Checker check, const Scenario& scenario) {
   for (const ToolSettings& tool : scenario.tools) {
     if (!tool.coupling) continue;
+    if (tool.coupling->isPushedByContacts()) {
+      checkReaction(check, scenario, tool.name + ".coupling.force");
+      continue;
+    }
     const bool known =
         std::any_of(scenario.force.begin(), scenario.force.end(),
                     [&](const ForceSettings& law) { return law.name == tool.coupling->force; });
     check.require(known, tool.name + ".coupling.force",
-                  "is \"" + tool.coupling->force + "\", expected the name of an entry of force");
+                  "is \"" + tool.coupling->force + "\", expected the name of an entry of force, or reaction");
   }
 }
 

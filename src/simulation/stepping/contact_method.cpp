@@ -61,6 +61,7 @@ class NodeMethod : public ContactMethod {
     contact_.step(step, inverse_masses, outcome, patch);
   }
 
+  bool pushesTools() const override { return !contact_.motion_m().empty(); }
   std::span<const Vec3> motion_m() const override { return contact_.motion_m(); }
 
   Summary counters() const override {
@@ -108,6 +109,7 @@ class SweptMethod : public ContactMethod {
     contact_.step(step, inverse_masses, outcome, patch);
   }
 
+  bool pushesTools() const override { return true; }
   std::span<const Vec3> motion_m() const override { return contact_.motion_m(); }
 
   Summary counters() const override {

@@ -20,10 +20,13 @@ class ContactMethod {
  public:
   virtual ~ContactMethod() = default;
 
-  /// One step, after the engine's own solve: moves its positions_m in place. inverse_masses: one per vertex
-  /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
+  /// One step, after the engine's own solve: moves its positions_m and tool_bodies in place. inverse_masses:
+  /// one per vertex in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch
+  /// has.
   virtual void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
                     ContactPatch& patch) = 0;
+  /// Whether contacts push tools that are bodies; where not, all are led.
+  virtual bool pushesTools() const { return false; }
   /// The share of each vertex's displacement in the last step that changes its velocity; empty: none does.
   virtual std::span<const Vec3> motion_m() const = 0;
   /// Counts over the run, for the summary.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "base/record.h"
@@ -8,15 +9,20 @@
 
 namespace fissure {
 
-/// A running world: soft bodies, ground, kinematic tools and one collision pipeline, whatever engine moves
-/// them.
+/// A running world: soft bodies, ground, tools and one collision pipeline, whatever engine moves them.
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
   /// Advances by the scenario's time step; `poses` are the tools' at its end. Fills everything of state() but
   /// step, time_s, clamps, couplings and timing.step_us.
-  virtual void step(const std::vector<Pose>& poses) = 0;
+  void step(const std::vector<Pose>& poses) { step(poses, {}); }
+  /// The same with tools that contacts push. tool_inverse_masses_1_kg: one per tool, 0: it is led; empty: all
+  /// are led. Else its pose stands for the velocity that it has at the step's end unless it is pushed, which
+  /// is the way to there over the step and is reached from the last step's evenly over the substeps; it turns
+  /// as it is led. State::tools then has where it came to, and its velocity at the step's end. Throws
+  /// std::invalid_argument where the pipeline's contacts can push no tool.
+  virtual void step(const std::vector<Pose>& poses, std::span<const double> tool_inverse_masses_1_kg) = 0;
   /// The one State of the run. What step() leaves out, whoever steps the simulation writes into it.
   virtual State& state() = 0;
   virtual const State& state() const = 0;

@@ -38,7 +38,11 @@ SteppedState::SteppedState(const Scenario& scenario, const Scene& scene, const s
   state_.tool_forces_N.assign(laws * tools, Vec3::Zero());
 }
 
-void SteppedState::beginStep(const std::vector<Pose>& poses) {
+void SteppedState::beginStep(const std::vector<Pose>& poses,
+                             std::span<const double> tool_inverse_masses_1_kg) {
+  bodies_.clear();
+  for (const double inverse_mass_1_kg : tool_inverse_masses_1_kg)
+    bodies_.push_back({.inverse_mass_1_kg = inverse_mass_1_kg});
   before_ = state_.tools;
   for (std::size_t t = 0; t < poses.size(); ++t) {
     ToolState& tool = state_.tools[t];

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "base/scene.h"
 #include "base/stage_times.h"
 #include "base/state.h"
 #include "contact/contact_patch.h"
+#include "contact/step_view.h"
 #include "contact/triangle_forces.h"
 #include "scenario/scenario.h"
 
@@ -20,8 +22,9 @@ class SteppedState {
   SteppedState(const Scenario& scenario, const Scene& scene, const std::vector<Pose>& first_poses,
                std::vector<double> masses_kg);
 
-  /// The tools move to `poses`, which they have at the step's end.
-  void beginStep(const std::vector<Pose>& poses);
+  /// The tools move to `poses`, which they have at the step's end. tool_inverse_masses_1_kg: one per tool;
+  /// empty: all are led.
+  void beginStep(const std::vector<Pose>& poses, std::span<const double> tool_inverse_masses_1_kg);
   /// After the engine's step: what touched, and the forces of the laws.
   void endStep();
 
@@ -29,6 +32,8 @@ class SteppedState {
   State& state() { return state_; }
   const State& state() const { return state_; }
   ContactPatch& patch() { return patch_; }
+  /// Of this step, for its StepView; empty: all tools are led.
+  std::span<ToolBody> toolBodies() { return bodies_; }
   /// Adds the laws' stage, where there are laws.
   void addStageTimes(std::vector<StageTime>& stages) const;
 
@@ -36,6 +41,7 @@ class SteppedState {
   double step_s_;
   std::unique_ptr<TriangleForces> forces_;  ///< null: no law
   std::vector<ToolState> before_;
+  std::vector<ToolBody> bodies_;
   ContactPatch patch_;
   double forces_s_ = 0;
   State state_;

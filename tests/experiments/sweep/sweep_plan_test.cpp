@@ -97,6 +97,13 @@ TEST(SweepPlan, WhatMayMoveSomethingIsSimulated) {
   coupled.insert(coupled.find("motion:"),
                  "coupling: {mass_kg: 0.05, stiffness_N_m: 3000, damping_N_s_m: 20, force: hc}, ");
   EXPECT_EQ(planOf(k, coupled).tasks().size(), 6u);
+  coupled.replace(coupled.find("force: hc}"), 9, "force: reaction");
+  const std::string pipelines = "pipelines: [{pipeline: default}, {pipeline: fukuhara}";
+  coupled.replace(coupled.find(pipelines), pipelines.size(),
+                  "pipelines: [{name: default, pipeline: swept}, {pipeline: fukuhara}");
+  const std::string single = "{name: single, pipeline: default";
+  coupled.replace(coupled.find(single), single.size(), "{name: single, pipeline: swept");
+  EXPECT_EQ(planOf(k, coupled).tasks().size(), 3u) << "no law moves it";
 }
 
 TEST(SweepPlan, AnEntryIsOnlyRunAgainForWhatItReads) {

@@ -32,7 +32,11 @@ class ContactImpulsesTest : public testing::Test {
     const std::vector<ToolState> was = {{.pose = {.position_m = Vec3(0, -tool_way_m, 0)}}};
     const std::vector<ToolState> is(1);
     impulses->apply(constraints, inverse_masses,
-                    {.positions_m = positions, .before_m = before, .tools_before = was, .tools_now = is});
+                    {.positions_m = positions,
+                     .before_m = before,
+                     .tools_before = was,
+                     .tools_now = is,
+                     .tool_bodies = bodies});
   }
   Vec3 total() const { return impulses->total(std::vector<double>(3, 1.0)); }
   double motion(int vertex) const { return impulses->motion_m()[vertex].y(); }
@@ -40,6 +44,7 @@ class ContactImpulsesTest : public testing::Test {
   std::vector<Vec3> before, positions;
   std::vector<double> inverse_masses = {10, 20, 0};
   std::vector<ContactConstraint> constraints;
+  std::vector<ToolBody> bodies;  ///< none: the tool is led
   std::optional<ContactImpulses> impulses;
 };
 
@@ -87,6 +92,37 @@ TEST_F(ContactImpulsesTest, ForgettingOldOverlapIsAPushToo) {
   hold({1, 0, 0});
   apply(0, 3);
   EXPECT_EQ(impulses->counts().pushes, 2);
+}
+
+TEST_F(ContactImpulsesTest, AToolThatIsABodyGivesWayByItsShare) {
+  bodies = {{.inverse_mass_1_kg = 30}};
+  heights(0, 0.0005, -0.001);
+  hold({1, 0, 0});
+  apply();
+  EXPECT_NEAR(positions[0].y(), -0.00075, kExact);
+  EXPECT_NEAR(bodies[0].offset_m.y(), -0.00075, kExact) << "where the mass is";
+  EXPECT_NEAR(bodies[0].motion_m.y(), -0.00075, kExact);
+  EXPECT_NEAR(total().y(), 0.1 * 0.00025, kExact);
+}
+
+TEST_F(ContactImpulsesTest, AToolThatIsABodyIsMovedOutOfOldOverlapWithoutMotion) {
+  bodies = {{.inverse_mass_1_kg = 30}};
+  heights(0, -0.0005, -0.0005);
+  hold({1, 0, 0});
+  apply();
+  EXPECT_NEAR(positions[0].y(), -0.000375, kExact);
+  EXPECT_NEAR(bodies[0].offset_m.y(), -0.000375, kExact);
+  EXPECT_NEAR(motion(0), 0, kExact);
+  EXPECT_NEAR(bodies[0].motion_m.y(), 0, kExact);
+}
+
+TEST_F(ContactImpulsesTest, AFixedVertexPushesAToolThatIsABody) {
+  bodies = {{.inverse_mass_1_kg = 30}};
+  heights(2, 0.0005, -0.001);
+  hold({0, 0, 1});
+  apply(0, 1, 0.01);
+  EXPECT_NEAR(bodies[0].motion_m.y(), -0.001, kExact);
+  EXPECT_NEAR(total().y(), 0.001 / 30, kExact);
 }
 
 TEST_F(ContactImpulsesTest, AMassBeforeAToolTakesTheToolsWay) {
@@ -179,16 +215,29 @@ TEST(ContactImpulses, MomentumBalancesForAnyContacts) {
                              .normal = vector().normalized(),
                              .target_m = 0.0005});
     }
+    std::vector<ToolBody> bodies;
+    if (trial % 2 == 1) {
+      bodies = {{.inverse_mass_1_kg = 30}};
+      for (ContactConstraint& contact : constraints) contact.friction = 0.4;
+    }
     ContactImpulses impulses(12, 30);
     const std::vector<ToolState> was = {{.pose = {.position_m = 0.001 * vector()}}};
     const std::vector<ToolState> is(1);
     impulses.apply(constraints, inverse_masses,
-                   {.positions_m = positions, .before_m = before, .tools_before = was, .tools_now = is});
+                   {.positions_m = positions,
+                    .before_m = before,
+                    .tools_before = was,
+                    .tools_now = is,
+                    .tool_bodies = bodies});
     Vec3 given = Vec3::Zero();
     for (int v = 0; v < 12; ++v) given += impulses.motion_m()[v] / inverse_masses[v];
     ASSERT_NEAR((given - impulses.total(std::vector<double>(12, 1.0))).norm(), 0,
                 1e-14 * std::max(1.0, given.norm()));
     ASSERT_GT(given.norm(), 1e-6) << "no contact, no test";
+    for (const ToolBody& body : bodies)
+      ASSERT_NEAR((given + body.motion_m / body.inverse_mass_1_kg).norm(), 0,
+                  1e-14 * std::max(1.0, given.norm()))
+          << "what tissue gains the tool loses";
   }
 }
 

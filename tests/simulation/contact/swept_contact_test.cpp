@@ -50,8 +50,10 @@ class Ball {
                    .before_m = before_m,
                    .tools_before = were,
                    .tools_now = tools,
+                   .tool_bodies = bodies,
                    .dt_s = kStep_s},
                   inverse_masses, outcome, patch);
+    for (std::size_t t = 0; t < bodies.size(); ++t) tools[t].pose.position_m += bodies[t].offset_m;
   }
   bool overlaps(std::size_t tool) const {
     SweptPairs pairs(scene.tools[tool], scene.bodies[0]);
@@ -69,6 +71,7 @@ class Ball {
 
   Scene scene;
   std::vector<ToolState> tools;
+  std::vector<ToolBody> bodies;  ///< none: the tools are led
   std::vector<double> inverse_masses;
   std::vector<Vec3> before_m, positions_m;
   std::optional<SweptContact> contact;
@@ -95,6 +98,57 @@ TEST_P(Rounds, ABladeNeverEntersTissue) {
     EXPECT_TRUE(GetParam() == 1 || (ball.contact->truncationCounts().steps > 0) == (GetParam() == 0))
         << way_m;
   }
+}
+
+/// A plate of a tenth of a gram that contacts push, 2 mm thick, between two balls of 10 mm.
+class PlateBetweenBalls : public Ball {
+ public:
+  PlateBetweenBalls(double below_m, double above_m, int rounds)
+      : Ball({Vec3(0.04, 0.002, 0.04)}, {Vec3::Zero()}) {
+    TriangleMesh both = makeSphere(0.01, 2);
+    const TriangleMesh other = both;
+    count_ = static_cast<int>(both.vertices_m.size());
+    for (Vec3& vertex : both.vertices_m) vertex.y() -= 0.011 + below_m;
+    for (const Vec3& vertex : other.vertices_m)
+      both.vertices_m.push_back(vertex + Vec3(0, 0.011 + above_m, 0));
+    for (const Face& f : other.faces) both.faces.push_back({f[0] + count_, f[1] + count_, f[2] + count_});
+    become(both, {.rounds = rounds, .margins_m = {kMargin_m}});
+    bodies = {{.inverse_mass_1_kg = 1e4}};
+  }
+  void fixLower() { std::fill_n(inverse_masses.begin(), count_, 0); }
+  void fixUpper() { std::fill_n(inverse_masses.begin() + count_, count_, 0); }
+  double height_m() const { return tools[0].pose.position_m.y(); }
+  /// Of tool and contacts, times the time step.
+  double imbalance_kg_m() const {
+    return (bodies[0].motion_m / bodies[0].inverse_mass_1_kg - kStep_s * kStep_s * outcome.reaction_on_tool_N)
+        .norm();
+  }
+
+ private:
+  int count_ = 0;
+};
+
+// A fixed ball stands above, far when the step begins.
+TEST_P(Rounds, AToolThrownByTissueDoesNotEnterTissueBeyond) {
+  PlateBetweenBalls balls(0.0002, 0.003, GetParam());
+  balls.fixUpper();
+  for (int i = 0; i < 5; ++i) {
+    balls.step({Vec3::Zero()}, Vec3(0, i == 0 ? 0.008 : 0, 0));
+    ASSERT_FALSE(balls.overlaps(0)) << i;
+    ASSERT_NEAR(balls.imbalance_kg_m(), 0, 1e-15) << i;
+  }
+  EXPECT_EQ(balls.contact->truncationCounts().no_room_steps, 0);
+  EXPECT_TRUE(GetParam() == 0 || balls.height_m() > 0.0001) << "pushed";
+}
+
+// Pushed up by what is left of the lower ball's margin, it meets tissue that would not have come down to it.
+TEST_P(Rounds, WhatAPushedToolMeetsIsFound) {
+  PlateBetweenBalls balls(0.0001, 0.0016, GetParam());
+  balls.fixLower();
+  balls.step({Vec3::Zero()}, Vec3(0, -0.00155, 0));
+  EXPECT_FALSE(balls.overlaps(0));
+  EXPECT_NEAR(balls.imbalance_kg_m(), 0, 1e-15);
+  EXPECT_TRUE(GetParam() < 4 || balls.height_m() > 0.0001) << "pushed";
 }
 INSTANTIATE_TEST_SUITE_P(Rounds, Rounds, testing::Values(0, 1, 4));
 

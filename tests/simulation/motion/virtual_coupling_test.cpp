@@ -57,6 +57,49 @@ TEST(VirtualCoupling, BehindAHandOfConstantSpeedNothingIsLeftOfTheLag) {
   EXPECT_LT(coupling.force_on_tool_N().norm(), 1e-9);
 }
 
+/// What a contact does that holds the tool where it is, hand at rest 0.1 m away.
+struct Held {
+  VirtualCoupling coupling{kHeavy, Vec3::Zero(), 0.001};
+  Vec3 impulse_N_s;
+
+  void step() {
+    const Vec3 free_m = coupling.advance(Vec3(0.1, 0, 0), Vec3::Zero());
+    impulse_N_s = -free_m / 0.001 / coupling.inverseMass_1_kg();
+    coupling.push(Vec3::Zero(), Vec3::Zero());
+  }
+};
+
+TEST(VirtualCoupling, HeldByContactsTheSpringGivesWhatTheyTake) {
+  Held held;
+  for (int i = 0; i < 3; ++i) {
+    held.step();
+    if (i == 0) continue;  // the hand was not at rest in the first step
+    EXPECT_LT((held.coupling.force_on_tool_N() - Vec3(0.1 * kHeavy.stiffness_N_m, 0, 0)).norm(), 1e-9);
+    EXPECT_LT((held.impulse_N_s + 0.001 * held.coupling.force_on_tool_N()).norm(), 1e-12);
+  }
+}
+
+// An impulse J in a step: the change of momentum is J and what spring and damper gave.
+TEST(VirtualCoupling, APushAndTheForceAreTheChangeOfMomentum) {
+  VirtualCoupling coupling(kHeavy, Vec3::Zero(), 0.001);
+  Vec3 at_m = Vec3::Zero(), velocity_m_s = Vec3::Zero();
+  for (int i = 1; i <= 100; ++i) {
+    const Vec3 before_m_s = velocity_m_s, impulse_N_s(0.001 * std::sin(i), 0, 0.002);
+    const Vec3 free_m = coupling.advance(Vec3(0, 1e-4 * i, 0), Vec3::Zero());
+    const Vec3 change_m_s = coupling.inverseMass_1_kg() * impulse_N_s;
+    velocity_m_s = (free_m - at_m) / 0.001 + change_m_s;
+    at_m = free_m + 0.001 * change_m_s;
+    coupling.push(at_m, velocity_m_s);
+    const Vec3 momentum_N_s = kHeavy.mass_kg * (velocity_m_s - before_m_s);
+    ASSERT_LT((momentum_N_s - impulse_N_s - 0.001 * coupling.force_on_tool_N()).norm(), 1e-14) << i;
+    const Vec3 lag_m = Vec3(0, 1e-4 * i, 0) - at_m, lags_m_s = Vec3(0, 0.1, 0) - velocity_m_s;
+    ASSERT_LT(
+        (kHeavy.stiffness_N_m * lag_m + kHeavy.damping_N_s_m * lags_m_s - coupling.force_on_tool_N()).norm(),
+        1e-10)
+        << i;
+  }
+}
+
 TEST(VirtualCoupling, AStiffOneIsStableAndFollowsTheHand) {
   VirtualCoupling coupling({.mass_kg = 0.01, .stiffness_N_m = 1e9, .damping_N_s_m = 0, .force = {}},
                            Vec3::Zero(), 0.001);

@@ -30,7 +30,59 @@ TEST(Couplings, NeedPositiveNumbersAndALaw) {
   expectComplaint("mass_kg: 1, stiffness_N_m: 1, damping_N_s_m: -1, force: felt",
                   "tools.blade.coupling.damping_N_s_m is -1, expected a number of at least 0");
   expectComplaint("mass_kg: 1, stiffness_N_m: 1, damping_N_s_m: 1, force: nix",
-                  "s.yaml:13: tools.blade.coupling.force is \"nix\", expected the name of an entry of force");
+                  "s.yaml:13: tools.blade.coupling.force is \"nix\", expected the name of an entry of force, "
+                  "or reaction");
+}
+
+struct ReactionScenario {
+  std::string pipelines = "{pipeline: swept}";
+  std::string law = "felt";
+  std::string time_scale = "1";
+};
+
+/// What is wrong with a tool that contacts push, or "nothing".
+std::string reactionComplaint(const ReactionScenario& of) {
+  return inputError([&] {
+    parseScenario(
+        "format: 1\nname: pushed\n"
+        "bodies:\n  - name: ball\n    shape: {type: sphere, radius_m: 0.03}\n    solver: {time_scale: " +
+            of.time_scale + "}\npipelines: [" + of.pipelines + "]\nforce: [{name: " + of.law +
+            ", model: linear_elastic}]\n"
+            "tools:\n  - name: blade\n    shape: {type: box, size_m: [0.04, 0.002, 0.015]}\n"
+            "    coupling: {mass_kg: 1, stiffness_N_m: 1, damping_N_s_m: 1, force: reaction}\n"
+            "    motion: {type: script, start_m: [0, 1, 0], segments: [{hold_s: 1}]}\n",
+        "s.yaml");
+  });
+}
+
+void expectReactionComplaint(const ReactionScenario& of, const std::string& message) {
+  EXPECT_NE(reactionComplaint(of).find("tools.blade.coupling.force is reaction, but " + message),
+            std::string::npos)
+      << reactionComplaint(of);
+}
+
+TEST(Couplings, ByReactionNeedContactsThatPushTools) {
+  expectReactionComplaint(
+      {.pipelines = "{pipeline: default}"},
+      "the contacts of run default push no tool, expected pipeline swept, or pipelines raycast and "
+      "fukuhara with response momentum");
+  expectReactionComplaint({.pipelines = "{pipeline: swept}, {pipeline: raycast}"},
+                          "the contacts of run raycast push");
+  expectReactionComplaint({.pipelines = "{pipeline: prescribed}"},
+                          "the contacts of run prescribed push no tool");
+  EXPECT_EQ(reactionComplaint({.pipelines = "{pipeline: raycast, response: momentum}, {pipeline: fukuhara}, "
+                                            "{pipeline: swept}"}),
+            "nothing");
+}
+
+TEST(Couplings, ByReactionAllowNoLawOfThatName) {
+  expectReactionComplaint({.law = "reaction"},
+                          "an entry of force has that name, expected another name for it");
+}
+
+TEST(Couplings, ByReactionNeedOneTimeForToolAndTissue) {
+  expectReactionComplaint({.time_scale = "0.5"},
+                          "bodies.ball.solver.time_scale is 0.5, expected 1: tool and tissue share one time");
 }
 
 TEST(Couplings, HaveNoDefaults) {
