@@ -17,8 +17,8 @@ namespace {
 /// What settings of a method say of bodies and tools.
 template <class Settings>
 void fillBodies(const Scenario& scenario, Settings& settings) {
+  settings.margins_m = marginsOf(scenario);
   for (const BodySettings& body : scenario.bodies) {
-    settings.margins_m.push_back(body.margin_m);
     settings.time_scales.push_back(body.timeScale());
     settings.body_frictions.push_back(body.friction());
   }
@@ -135,6 +135,12 @@ class SweptMethod : public ContactMethod {
 };
 
 }  // namespace
+
+std::vector<double> marginsOf(const Scenario& scenario) {
+  std::vector<double> margins_m;
+  for (const BodySettings& body : scenario.bodies) margins_m.push_back(body.margin_m);
+  return margins_m;
+}
 
 std::unique_ptr<ContactMethod> makeContactMethod(const ContactMethodContext& context) {
   switch (context.settings.traits().detection) {

@@ -34,6 +34,9 @@ class ContactMethod {
   virtual std::vector<StageTime> stageTimes() const = 0;
 };
 
+/// Of the bodies, in their order: how far in front of a tool contacts hold them.
+std::vector<double> marginsOf(const Scenario& scenario);
+
 /// What a contact method is made from; read while it is made.
 struct ContactMethodContext {
   const Scenario& scenario;  ///< with one tool for each of the scene
