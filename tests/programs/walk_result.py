@@ -8,12 +8,13 @@ import sys
 import h5py
 import numpy as np
 
-UNITS = {"s", "us", "m", "m2", "m3", "m s-1", "N", "J", "kg m s-1", "degree", "1"}
+UNITS = {"s", "us", "m", "m2", "m3", "m s-1", "N", "J", "kg m s-1", "degree", "Pa", "1"}
 ROW_AXES = {"time", "snapshot_time", "frame_time"}
-ENDINGS = ("_m", "_N", "_s", "_us", "_hz", "_J", "_m_s", "_m_s2")  # of summary values, which have no units attribute
+ENDINGS = ("_m", "_N", "_Pa", "_s", "_us", "_hz", "_J", "_m_s", "_m_s2")  # of summary values, which have no units attribute
 WITHOUT_UNIT = [r"(force_roughness|roughness_same_triangles|tool_force_roughness)(_\w+)?", r"(tool_)?reaction_roughness", r"collision_share", r"real_time_factor",
-                r"node_spacing_over_edge"]
-COUNTS = [r"steps", r"(contact|unsound|oblique|certified|uncertified|truncated|no_room|freeing)_steps", r"rounds|truncated_vertices|(max_)?substeps|max_inverted_elements", r"first_(unsound|uncertified)_step",
+                r"node_spacing_over_edge", r"energy_balance_error"]
+COUNTS = [r"steps", r"(contact|unsound|oblique|certified|uncertified|truncated|no_room|freeing)_steps", r"rounds|truncated_vertices",
+          r"(max_)?substeps|max_inverted_elements", r"first_(unsound|uncertified)_step",
           r"rays", r"ray_triangle_tests", r"tool_samples", r"passed_through_samples", r"contacts_total",
           r"max_contact_count", r"max_inverted_triangles", r"displacement_(pushes|sweeps)", r"fixed_vertices",
           r"saturated_steps(_\w+)?", r"(force_)?non_finite_at_step(_\w+)?",

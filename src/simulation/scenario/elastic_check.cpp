@@ -37,9 +37,9 @@ void checkElasticScene(Checker check, const Scenario& scenario) {
                 "is a surface without a volume of tetrahedra, expected sphere, box, capsule or lobes for "
                 "model elastic");
   if (tetrahedra)
-    check.require(*tetrahedra <= most_tetrahedra, shape,
-                  "has " + formatReal(*tetrahedra) + " tetrahedra, expected at most " +
-                      formatReal(most_tetrahedra));
+    check.require(
+        *tetrahedra <= most_tetrahedra, shape,
+        "has " + formatReal(*tetrahedra) + " tetrahedra, expected at most " + formatReal(most_tetrahedra));
   for (const PipelineSettings& entry : scenario.pipelines) {
     Checker run = check.in("pipelines").in(entry.name);
     using enum ContactDetection;
