@@ -25,6 +25,8 @@ std::vector<std::string> frameText(const std::string& run, double time_s, const 
     lines.push_back(format("tissue %.2f mm below ground", 1000 * *measures.ground_m));
   if (measures.certified.value_or(1) == 0 && measures.depth_m.value_or(0) < shown_m)
     lines.emplace_back("overlap not excluded");
+  if (measures.pressure_Pa.value_or(0) > 0)
+    lines.push_back(format("pressure up to %.3g kPa", *measures.pressure_Pa / 1000));
   return lines;
 }
 

@@ -167,6 +167,9 @@ State SnapshotReader::at(std::size_t snapshot) const {
   state.time_s = times_s_.at(snapshot);
   state.positions_m =
       vectorsOf(row("positions", snapshot, {static_cast<std::size_t>(scene_.vertexCount()), 3}));
+  if (run_.find("contact_pressure"))
+    state.volume.emplace().pressures_Pa =
+        row("contact_pressure", snapshot, {static_cast<std::size_t>(scene_.vertexCount())});
   const std::size_t tools = scene_.tools.size();
   if (tools > 0) {
     const std::size_t step = stepOf(snapshot);
@@ -194,7 +197,7 @@ FrameMeasures SnapshotReader::depths(std::size_t snapshot) const {
     return run_.find(name) ? std::optional(row(name, stepOf(snapshot), {}).front()) : std::nullopt;
   };
   return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth"),
-          value("certified")};
+          value("certified"), value("max_pressure")};
 }
 
 }  // namespace fissure

@@ -69,7 +69,7 @@ FrameMeasures depthsIn(const RecordLayout& layout, const RecordRow& row) {
     return series ? std::optional(row[series->first_column]) : std::nullopt;
   };
   return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth"),
-          value("certified")};
+          value("certified"), value("max_pressure")};
 }
 
 }  // namespace

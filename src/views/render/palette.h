@@ -26,7 +26,8 @@ inline constexpr Colour grid{203, 208, 212};
 
 /// Bodies in the scene's order, over again after the last: flesh, liver, fat.
 inline constexpr std::array<Colour, 3> tissue = {{{240, 172, 154}, {196, 116, 104}, {240, 208, 142}}};
-inline constexpr Colour tissue_inside{128, 44, 46};  ///< faces seen from behind: torn, inverted or cut open
+inline constexpr Colour tissue_pressed{134, 24, 92};  ///< tissue under the largest pressure of a picture
+inline constexpr Colour tissue_inside{128, 44, 46};   ///< faces seen from behind: torn, inverted or cut open
 inline constexpr Colour tissue_edge{104, 40, 36, 120};
 inline constexpr Colour tissue_outline{112, 46, 40};
 

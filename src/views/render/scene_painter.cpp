@@ -13,6 +13,17 @@ constexpr double shadow_far =
     0.18;  ///< darkness of a shadow cast from far above, as a share of one at contact
 constexpr double shadow_fade_m = 0.008;  ///< height over which it fades to that
 
+/// Of each vertex its share of the largest pressure on an elastic body, 0 where it is pulled; empty where
+/// nothing is pressed.
+std::vector<double> sharesOfLargest(const State& state) {
+  if (!state.volume || state.volume->pressures_Pa.empty()) return {};
+  std::vector<double> shares = state.volume->pressures_Pa;
+  const double largest_Pa = *std::max_element(shares.begin(), shares.end());
+  if (!(largest_Pa > 0)) return {};
+  for (double& share : shares) share = std::clamp(share / largest_Pa, 0.0, 1.0);
+  return shares;
+}
+
 void draw(const GlFunctions& gl, GLenum mode, const VertexBatch& batch) {
   if (batch.size() > 0) {
     gl.vertexPointer(3, GL_FLOAT, 0, batch.xyz_m.data());
@@ -81,6 +92,16 @@ Colour ScenePainter::lit(Colour base, const Vec3& normal) const {
   return {scaled(base.r), scaled(base.g), scaled(base.b)};
 }
 
+Colour ScenePainter::Look::outsideAt(int vertex) const {
+  if (pressed.empty()) return outside;
+  const double share = pressed[vertex];
+  const auto mixed = [share](std::uint8_t free, std::uint8_t full) {
+    return static_cast<std::uint8_t>(std::lround(free + share * (full - free)));
+  };
+  const Colour& full = palette::tissue_pressed;
+  return {mixed(outside.r, full.r), mixed(outside.g, full.g), mixed(outside.b, full.b)};
+}
+
 void ScenePainter::addTriangles(Placed& placed, const Surface& surface, std::span<const Vec3> vertices_m,
                                 const Look& look) const {
   const std::vector<std::array<Vec3, 3>> normals = surface.cornerNormals(vertices_m, look.crease_deg);
@@ -89,8 +110,9 @@ void ScenePainter::addTriangles(Placed& placed, const Surface& surface, std::spa
       continue;
     }
     for (int corner = 0; corner < 3; ++corner) {
-      const Vec3& vertex_m = vertices_m[surface.faces()[face][corner]];
-      placed.front.add(vertex_m, lit(look.outside, normals[face][corner]));
+      const int vertex = surface.faces()[face][corner];
+      const Vec3& vertex_m = vertices_m[vertex];
+      placed.front.add(vertex_m, lit(look.outsideAt(vertex), normals[face][corner]));
       placed.back.add(vertex_m, lit(look.inside, -normals[face][corner]));
     }
   }
@@ -115,9 +137,11 @@ double ScenePainter::edgeStrength(const Surface& surface, std::span<const Vec3> 
   return counted > 0 ? std::clamp((sum_px / counted - 2) / 12, 0.0, 1.0) : 0.0;
 }
 
-ScenePainter::Placed ScenePainter::placeBody(const Body& body, std::span<const Vec3> vertices_m) const {
+ScenePainter::Placed ScenePainter::placeBody(const Body& body, std::span<const Vec3> vertices_m,
+                                             std::span<const double> pressed) const {
   Placed placed;
-  addTriangles(placed, body.surface, vertices_m, {body.colour, palette::tissue_inside, tissue_crease_deg});
+  addTriangles(placed, body.surface, vertices_m,
+               {body.colour, palette::tissue_inside, tissue_crease_deg, pressed});
   const std::vector<Vec3> normals = body.surface.faceNormals(vertices_m);
   Colour edge_colour = palette::tissue_edge;
   edge_colour.a = static_cast<std::uint8_t>(edge_colour.a * edgeStrength(body.surface, vertices_m));
@@ -261,10 +285,14 @@ std::vector<ScenePainter::Placed> ScenePainter::placeHandles(const State& state)
 }
 
 void ScenePainter::paint(const GlFunctions& gl, const State& state) const {
+  const std::vector<double> pressed = sharesOfLargest(state);
   std::vector<Placed> bodies;
   for (const Body& body : bodies_) {
-    bodies.push_back(placeBody(
-        body, {state.positions_m.data() + body.first_vertex, static_cast<std::size_t>(body.vertex_count)}));
+    const auto first = static_cast<std::size_t>(body.first_vertex);
+    const auto count = static_cast<std::size_t>(body.vertex_count);
+    bodies.push_back(
+        placeBody(body, std::span(state.positions_m).subspan(first, count),
+                  pressed.empty() ? std::span<const double>() : std::span(pressed).subspan(first, count)));
   }
   std::vector<Placed> tools;
   std::vector<std::vector<Vec3>> tools_m = tool_vertices_m_;

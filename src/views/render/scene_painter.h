@@ -15,6 +15,7 @@ namespace fissure {
 
 /// Draws ground, tissue and tools with OpenGL; holds what stays the same from frame to frame.
 ///
+/// An elastic body is the darker the more its contacts press it, against the largest pressure in the picture.
 /// Tissue and tools are opaque, so what is seen is in front. A tool's part behind or inside tissue shows
 /// through as a faint tint with a dashed outline, and a dark red line marks where the two surfaces cross: a
 /// tool that is behind the tissue has no such line, one that passes through has one at each side.
@@ -39,6 +40,10 @@ class ScenePainter {
     Colour outside;
     Colour inside;
     double crease_deg = 0;
+    /// One per vertex: how far its outside is pressed, 0 to 1; empty: nowhere.
+    std::span<const double> pressed = {};
+
+    Colour outsideAt(int vertex) const;
   };
   /// One surface in one state; drawn from these alone.
   struct Placed {
@@ -48,7 +53,7 @@ class ScenePainter {
     VertexBatch outline;  ///< lines: silhouette, and for tools the sharp edges in view
   };
 
-  Placed placeBody(const Body& body, std::span<const Vec3> vertices_m) const;
+  Placed placeBody(const Body& body, std::span<const Vec3> vertices_m, std::span<const double> pressed) const;
   Placed placeTool(const Surface& surface, const std::vector<Vec3>& vertices_m) const;
   void addTriangles(Placed& placed, const Surface& surface, std::span<const Vec3> vertices_m,
                     const Look& look) const;

@@ -16,6 +16,12 @@ TEST(FrameText, NamesRunTimeAndDepth) {
   EXPECT_EQ(frameText("none", 0, {}), (Lines{"none", "t = 0.000 s"}));
 }
 
+TEST(FrameText, SaysWhatTheDarkestColourStandsFor) {
+  EXPECT_EQ(frameText("a", 0, {.depth_m = 0.0, .pressure_Pa = 4549.0}),
+            (Lines{"a", "t = 0.000 s", "depth = 0.00 mm", "pressure up to 4.55 kPa"}));
+  EXPECT_EQ(frameText("a", 0, {.depth_m = 0.0, .pressure_Pa = 0.0}).size(), 3u);
+}
+
 TEST(FrameText, SaysWhatADepthOf0Hides) {
   EXPECT_EQ(frameText("a", 0, {.depth_m = 0.0, .inversion_aware_m = 0.0139737, .ground_m = 0.00566}),
             (Lines{"a", "t = 0.000 s", "depth = 0.00 mm", "with inversion 13.97 mm",

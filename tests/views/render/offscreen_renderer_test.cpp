@@ -275,6 +275,27 @@ TEST_F(OffscreenRenderer, TissueTurnedInsideOutLooksDifferent) {
   EXPECT_LT(colourAt(inverted, spot_m).r + 40, colourAt(proper, spot_m).r);
 }
 
+// Each picture's largest pressure has the full colour, half of it half the way there, and pulls have none.
+TEST_F(OffscreenRenderer, PressedTissueTakesColour) {
+  const std::size_t vertices = scene_.bodies[0].rest.vertices_m.size();
+  const Vec3 spot_m = {-0.02, -0.008, 0.015};
+  const auto coloured = [&](double below_Pa, double above_Pa) {
+    std::vector<double>& pressures_Pa = state_.volume.emplace().pressures_Pa;
+    for (const Vec3& vertex_m : scene_.bodies[0].rest.vertices_m)
+      pressures_Pa.push_back(vertex_m.y() < 0.01 ? below_Pa : above_Pa);
+    EXPECT_EQ(pressures_Pa.size(), vertices);
+    return colourAt(draw(), spot_m);
+  };
+  const Colour plain = colourAt(draw(), spot_m);
+  EXPECT_EQ(coloured(0, 0), plain);
+  EXPECT_EQ(coloured(-10, 100), plain);
+  const Colour full = coloured(100, 0), half = coloured(100, 200);
+  EXPECT_EQ(coloured(7, 0), full);
+  EXPECT_LT(full.r + 60, plain.r);
+  EXPECT_NEAR(half.r, 0.5 * (full.r + plain.r), 3);
+  EXPECT_NEAR(half.g, 0.5 * (full.g + plain.g), 3);
+}
+
 TEST_F(OffscreenRenderer, DrawsSeveralBodiesAndToolsOnTheGround) {
   SceneBody second = scene_.bodies[0];
   second.first_vertex = static_cast<int>(second.rest.vertices_m.size());
