@@ -109,7 +109,7 @@ kinetic and stored energy then; the last column is the greatest error of the bal
 
 {drops}
 The rebound differs by {rebound} between steps of 4 and 0.25 ms. The balance closes to {balance_worst:.2f} % in every
-run, those without viscosity included, where the ball vibrates on and its number of substeps rises and falls with its stretch.
+run, those without viscosity included, where the ball vibrates on and its number of substeps rises with its stretch.
 """
 
 
