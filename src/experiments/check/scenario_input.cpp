@@ -212,6 +212,17 @@ void checkTools(CheckedScenario& checked, const SurfaceFiles& files) {
   report.finish();
 }
 
+/// Where a body names a material and says other numbers.
+void notePreset(const BodySettings& body, std::vector<std::string>& notes) {
+  if (!body.elastic.preset) return;
+  ElasticSettings preset = body.elastic;
+  applyPreset(preset);
+  if (preset != body.elastic)
+    notes.push_back("bodies." + body.name +
+                    ".elastic: modulus, ratio or density are given, and not those of preset " +
+                    *body.elastic.preset);
+}
+
 /// What a step of the elastic body costs, where there is one; notes what is odd about its volume.
 std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
@@ -223,6 +234,7 @@ std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
       throw InputError(inFile(checked.file), path + defect.text + ", expected a volume of sound tetrahedra");
     checked.notes.push_back(path + defect.text);
   }
+  notePreset(scenario.bodies[0], checked.notes);
   try {
     return planSubsteps(scenario.bodies[0], body, scenario.time.step_s);
   } catch (const InputError& error) {

@@ -71,8 +71,9 @@ class ElasticProbe : public Probe {
       row[columns_[i]] =
           now.*kEnergies[i].value_J - (kEnergies[i].since_start ? first_.*kEnergies[i].value_J : 0);
     row[loss_column_] = (now.tool_work_J - first_.tool_work_J) - (now.contact_work_J - first_.contact_work_J);
-    const double pressure_Pa =
-        now.pressures_Pa.empty() ? 0 : *std::max_element(now.pressures_Pa.begin(), now.pressures_Pa.end());
+    RunningMax pressures_Pa;  // NaN where one is
+    for (const double pressure_Pa : now.pressures_Pa) pressures_Pa.add(pressure_Pa);
+    const double pressure_Pa = now.pressures_Pa.empty() ? 0 : pressures_Pa.value();
     row[pressure_column_] = pressure_Pa;
     max_pressure_Pa_.add(pressure_Pa);
     const double error_J = balance_J(now) - balance_J(first_);

@@ -115,6 +115,10 @@ CriticalStep::CriticalStep(ElementForces& forces, const ElasticMaterial& materia
   };
   double low_s = limit_s(stiffness_1_s2_, damping_1_s_ + material.viscosity_Pa_s / mu_Pa * stiffness_1_s2_);
   double high_s = limit_s(stiffness_1_s2_, damping_1_s_);
+  if (!(low_s > 0)) {  // the damping is beyond all numbers, and no step is stable
+    damping_1_s_ = std::numeric_limits<double>::infinity();
+    return;
+  }
   while (high_s - low_s > 1e-4 * low_s) {
     const double middle_s = std::sqrt(low_s * high_s);
     (excess(middle_s) > 0 ? high_s : low_s) = middle_s;

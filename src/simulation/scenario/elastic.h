@@ -25,8 +25,8 @@ struct ElasticSettings {
   double poissons_ratio = 0.4;      ///< 0..0.49
   double density_kg_m3 = 1000;      ///< at rest, > 0
   double viscosity_Pa_s = 0;        ///< of the viscous stress, >= 0; conserves momentum
-  /// Share of its momentum that the tissue loses in a second, >= 0. It takes time_step x mass_damping_1_s off
-  /// every held force: a means to bring a scene to rest, no property of tissue.
+  /// Deceleration over velocity, >= 0, of the motion of the body as a whole too: a means to bring a scene to
+  /// rest, no property of tissue.
   double mass_damping_1_s = 0;
   double friction = 0.2;  ///< Coulomb's coefficient on a tool or the ground is the product of both, >= 0
 

@@ -31,6 +31,16 @@ void checkElasticScene(Checker check, const Scenario& scenario) {
   check.require(bodies.size() == 1, "bodies." + elastic->name + ".model",
                 "is elastic, and the scenario has other bodies, expected it alone: elastic bodies do not "
                 "meet others");
+  const WorldSettings unset;
+  Checker world = check.in("world");
+  world.require(scenario.world.air_density_kg_m3 == unset.air_density_kg_m3, "air_density_kg_m3",
+                "is of no effect on body " + elastic->name + " of model elastic, expected it left out");
+  world.require(scenario.world.max_displacement_m == unset.max_displacement_m, "max_displacement_m",
+                "is of no effect on body " + elastic->name + " of model elastic, expected it left out");
+  if (scenario.ground)
+    check.in("ground").require(
+        scenario.ground->hardness == GroundSettings().hardness, "hardness",
+        "is Bullet's, of no effect on body " + elastic->name + " of model elastic, expected it left out");
   const std::string shape = "bodies." + elastic->name + ".shape";
   const std::optional<double> tetrahedra = tetrahedraOf(elastic->shape);
   check.require(tetrahedra.has_value(), shape,
@@ -48,6 +58,10 @@ void checkElasticScene(Checker check, const Scenario& scenario) {
                 "is " + std::string(entry.traits().name) + ", Bullet's own contact, expected " +
                     pipelinesWith({nodes, surface, sticking}) + " for body " + elastic->name +
                     " of model elastic");
+    if (detection == nodes)
+      run.require(entry.contactResponse() == ContactResponse::momentum, "response",
+                  "is none, which leaves velocities of held tissue growing, expected momentum for body " +
+                      elastic->name + " of model elastic");
     run.require(entry.precision == Precision::f64, "precision",
                 "is f32, expected f64 for body " + elastic->name + " of model elastic");
     if (detection == nodes || detection == sticking)

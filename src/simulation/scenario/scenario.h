@@ -37,8 +37,8 @@ struct WorldSettings {
 /// which holds it a margin above, and gives way.
 struct GroundSettings {
   double height_m = 0.0;
-  /// Bullet's default for a rigid body; multiplied by the body's dynamic_friction. With the half-space the
-  /// product is Coulomb's coefficient; Bullet's contact takes that share of what slips, once an iteration.
+  /// Bullet's default for a rigid body; times the body's own. With the half-space the product is Coulomb's
+  /// coefficient; Bullet's contact takes that share of what slips, once an iteration.
   double friction = 0.5;
   /// 0..1: Bullet's contact takes a vertex back by its way into the ground and lifts it by this share of its
   /// overlap besides. 1 throws it as far above: under load tissue then rattles at metres a second.

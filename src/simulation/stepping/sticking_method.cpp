@@ -19,7 +19,8 @@ class StickingMethod : public ContactMethod {
             ContactPatch& patch) override {
     held_.hold(step, inverse_masses);
     patch.clear();
-    outcome = {};
+    outcome.contact_count = 0;
+    outcome.reaction_on_tool_N = Vec3::Zero();
     outcome.tool_work_J = 0;
     outcome.tool_reactions_N.assign(tool_count_ > 1 ? tool_count_ : 0, Vec3::Zero());
     for (std::size_t v = 0; v < motion_m_.size(); ++v) {

@@ -20,7 +20,7 @@ std::vector<double> sharesOfLargest(const State& state) {
   std::vector<double> shares = state.volume->pressures_Pa;
   const double largest_Pa = *std::max_element(shares.begin(), shares.end());
   if (!(largest_Pa > 0)) return {};
-  for (double& share : shares) share = std::clamp(share / largest_Pa, 0.0, 1.0);
+  for (double& share : shares) share = share > 0 ? std::min(share / largest_Pa, 1.0) : 0;  // NaN is not
   return shares;
 }
 

@@ -30,15 +30,25 @@ TEST(ElasticCheck, SaysWhatAStepCosts) {
 }
 
 TEST(ElasticCheck, RefusesMoreSubstepsThanAreAffordable) {
-  try {
-    checked("viscosity_Pa_s: 1.0e9");
-    FAIL() << "expected InputError";
-  } catch (const InputError& error) {
-    const std::string text = error.what();
-    EXPECT_EQ(text.find('\n'), std::string::npos);
-    EXPECT_NE(text.find("bodies.ball.elastic"), std::string::npos) << text;
-    EXPECT_NE(text.find("substeps"), std::string::npos) << text;
+  for (const char* elastic : {"viscosity_Pa_s: 1.0e9", "viscosity_Pa_s: 1.0e200",
+                              "youngs_modulus_Pa: 1.0e300", "density_kg_m3: 1.0e-160, viscosity_Pa_s: 5"}) {
+    try {
+      checked(elastic);
+      ADD_FAILURE() << "expected InputError: " << elastic;
+    } catch (const InputError& error) {
+      const std::string text = error.what();
+      EXPECT_EQ(text.find('\n'), std::string::npos);
+      EXPECT_NE(text.find("bodies.ball.elastic"), std::string::npos) << text;
+      EXPECT_NE(text.find("substeps"), std::string::npos) << text;
+    }
   }
+}
+
+TEST(ElasticCheck, NotesNumbersThatAreNotThoseOfThePreset) {
+  EXPECT_TRUE(checked("preset: liver").notes.empty());
+  const std::vector<std::string> notes = checked("preset: liver, youngs_modulus_Pa: 7000").notes;
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("liver"), std::string::npos) << notes[0];
 }
 
 }  // namespace

@@ -137,6 +137,20 @@ TEST(Elastic, WhatItsEngineHasNotIsRefused) {
                                       "pipelines.single.precision"}));
 
   scenario = elastic();
+  scenario.pipelines = {{.name = "rays", .pipeline = PipelineKind::raycast}};
+  EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.rays.response"});
+  scenario.pipelines[0].response = ContactResponse::momentum;
+  EXPECT_TRUE(validate(scenario).empty());
+
+  scenario = elastic();
+  scenario.world.air_density_kg_m3 = 1;
+  scenario.world.max_displacement_m = 1;
+  scenario.ground = GroundSettings{.height_m = 0, .hardness = 1};
+  EXPECT_EQ(
+      pathsOf(validate(scenario)),
+      (std::vector<std::string>{"world.air_density_kg_m3", "world.max_displacement_m", "ground.hardness"}));
+
+  scenario = elastic();
   scenario.ground = GroundSettings{};
   EXPECT_TRUE(validate(scenario).empty());
   scenario.pipelines.push_back({.name = "nodes", .pipeline = PipelineKind::fukuhara});
