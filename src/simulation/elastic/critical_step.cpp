@@ -74,7 +74,7 @@ class LargestEigenvalue {
       Vec3 force_N = Vec3::Zero();
       for (int slot = arrays.first_slots[vertex]; slot < arrays.first_slots[vertex + 1]; ++slot)
         force_N += Eigen::Map<const Vec3>(forces_.forceSlots() + 4 * static_cast<std::size_t>(slot));
-      result.segment<3>(3 * vertex) = -force_N;
+      result.segment<3>(3 * static_cast<Eigen::Index>(vertex)) = -force_N;
     }
     result = result.cwiseProduct(scale_);
   }

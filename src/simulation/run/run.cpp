@@ -97,8 +97,9 @@ void Run::makeCouplings() {
     if (!settings) continue;
     const auto law = std::find_if(scenario_.force.begin(), scenario_.force.end(),
                                   [&](const ForceSettings& force) { return force.name == settings->force; });
-    Coupled& coupled = coupled_.emplace_back(
-        t, std::nullopt, VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s));
+    coupled_.push_back(
+        {t, std::nullopt, VirtualCoupling(*settings, poses[t].position_m, scenario_.time.step_s)});
+    Coupled& coupled = coupled_.back();
     if (!settings->isPushedByContacts()) {
       coupled.law = static_cast<std::size_t>(law - scenario_.force.begin());
       continue;
