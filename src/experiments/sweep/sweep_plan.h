@@ -11,7 +11,7 @@ namespace fissure {
 
 /// One simulation of a sweep, in one worker process.
 struct SweepTask {
-  /// Of all that its numbers depend on: scenario, overrides, laws, entry, repeat, input files, worker
+  /// Hash of all that its numbers depend on: scenario, overrides, laws, entry, repeat, input files, worker
   /// program; 16 hexadecimal digits. The same in every sweep, shard and session.
   std::string id;
   std::size_t entry = 0;  ///< of the manifest's pipelines

@@ -97,7 +97,7 @@ bool isFree(const fs::path& folder) {
   return true;
 }
 
-/// Of the sweep whose plan is there; a damaged plan is replaced as if it were `ours`.
+/// The name of the sweep whose plan is in the folder; a damaged plan is replaced as if it were `ours`.
 std::string nameIn(const fs::path& folder, const std::string& ours) {
   try {
     return readManifest(folder).settings.name;

@@ -52,7 +52,7 @@ class SweepSession : private PoolObserver {
   void run(Interrupt& interrupt);
 
   const SessionCounts& counts() const { return counts_; }
-  /// Of the first that failed: its task and why.
+  /// The task that failed first, and why; empty while none has.
   const std::string& firstFailure() const { return first_failure_; }
 
  private:

@@ -61,7 +61,7 @@ class LawFamily {
     Vec3 a_direction = Vec3::Zero(), b_direction = Vec3::Zero();
     double a = 0, b = 0;
   };
-  /// Of one law while it is summed.
+  /// What one law has come to while its triangles are summed.
   struct Sum {
     Vec3 force_N = Vec3::Zero();
     LawValue value;
