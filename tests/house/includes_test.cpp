@@ -29,10 +29,11 @@ const std::vector<Wing> kWings = {
       {"scenario", {"law"}},
       {"motion", {"scenario"}},
       {"mesh", {"scenario"}},
+      {"volume", {"scenario", "mesh"}},
       {"contact", {"law"}},
       {"elastic", {}},
-      {"scene", {"scenario", "motion", "mesh", "contact"}},
-      {"stepping", {"law", "scenario", "contact"}},
+      {"scene", {"scenario", "motion", "mesh", "volume", "contact"}},
+      {"stepping", {"law", "scenario", "contact", "elastic"}},
       {"engine", {"law", "scenario", "motion", "mesh", "contact", "stepping"}},
       {"explicit", {"scenario", "elastic", "stepping"}},
       {"run", {"scenario", "motion", "scene", "stepping", "engine", "explicit"}}}},
@@ -56,6 +57,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"scenario", {"base", "text", "files"}},
     {"motion", {"base", "text"}},
     {"mesh", {"base", "files"}},
+    {"volume", {"base", "files", "process"}},
     {"scene", {"base"}},
     {"contact", {"base"}},
     {"elastic", {"base"}},
@@ -101,6 +103,7 @@ const std::vector<Confined> kConfined = {
       "experiments/task/task_order.cpp",
       "experiments/task/task_record.cpp",
       "main/comparison_json.cpp",
+      "main/fit_modulus.cpp",
       "main/fit_output.cpp",
       "main/fit_ranking.cpp",
       "main/result_json.cpp",
@@ -262,7 +265,7 @@ TEST(House, FilesStayShort) {
     if (file.parent_path().filename() == "main") of_main += lines;
   }
   EXPECT_GT(of_main, 1000u) << "main/ was not found";
-  EXPECT_LE(of_main, 3800u);
+  EXPECT_LE(of_main, 4200u);
 }
 
 }  // namespace

@@ -21,6 +21,8 @@ struct Gauge {
 struct SceneVolume {
   TetrahedralMesh mesh;             ///< in the scene's frame; its first vertices are the body's surface
   std::vector<int> fixed_vertices;  ///< of the mesh, ascending: they never move
+  /// One a tetrahedron: 0, or 1 + the index of its region in the body's settings; empty: there are none.
+  std::vector<int> regions = {};
 };
 
 /// A soft body as placed at time zero.

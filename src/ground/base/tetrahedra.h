@@ -16,6 +16,7 @@ using Tetrahedron = std::array<int, 4>;
 struct TetrahedralMesh {
   std::vector<Vec3> vertices_m;
   std::vector<Tetrahedron> tetrahedra;
+  std::vector<int> tags = {};  ///< one per tetrahedron, as a mesh file numbers its parts; empty: it has none
 };
 
 }  // namespace fissure

@@ -32,17 +32,6 @@ double largestOf(const double (&lanes)[kLanes]) {
   return *std::max_element(lanes, lanes + kLanes);
 }
 
-const ElasticMaterial& checked(const ElasticMaterial& material) {
-  checkMaterial(material);
-  return material;
-}
-
-std::vector<double> lumpedMasses_kg(const std::vector<double>& volumes_m3, double density_kg_m3) {
-  std::vector<double> masses_kg;
-  for (const double volume_m3 : volumes_m3) masses_kg.push_back(density_kg_m3 * volume_m3);
-  return masses_kg;
-}
-
 std::vector<double> invertedUnlessFixed(const std::vector<double>& masses_kg,
                                         std::span<const int> fixed_vertices) {
   std::vector<double> inverse;
@@ -59,24 +48,32 @@ std::vector<double> invertedUnlessFixed(const std::vector<double>& masses_kg,
 }  // namespace
 
 struct ElasticTissue::Arrays {
-  Arrays(const TetrahedralMesh& mesh, const ElasticMaterial& tissue, std::span<const int> fixed)
-      : material(checked(tissue)),
-        forces(mesh, tissue, chosenInstructionSet()),
+  Arrays(const TetrahedralMesh& mesh, const ElementMaterials& materials, std::span<const int> fixed)
+      : forces(mesh, materials, chosenInstructionSet()),
+        mass_damping_1_s(forces.materials()[0].mass_damping_1_s),
         rest_m(mesh.vertices_m),
         positions_m(padded(mesh.vertices_m)),
         velocities_m_s(zeros(rest_m.size())),
         accelerations_m_s2(zeros(rest_m.size())),
         middle_m(zeros(rest_m.size())),
-        masses_kg(lumpedMasses_kg(forces.vertexVolumes_m3(), material.density_kg_m3)),
+        masses_kg(forces.vertexMasses_kg()),
         inverse_masses_1_kg(invertedUnlessFixed(masses_kg, fixed)),
-        critical(forces, material, inverse_masses_1_kg) {
-    if (material.viscosity_Pa_s > 0) viscous_N = zeros(rest_m.size());
+        critical(forces, inverse_masses_1_kg),
+        stretches(forces.materials().size()),
+        growths(stretches.size()),
+        foreseen(stretches.size()) {
+    if (forces.viscousSlots() != nullptr) viscous_N = zeros(rest_m.size());
   }
 
   std::size_t vertices() const { return rest_m.size(); }
 
-  ElasticMaterial material;
+  void findStretches() {
+    std::fill(stretches.begin(), stretches.end(), StretchPass{});
+    forces.stretch(positions_m.front().data(), stretches);
+  }
+
   ElementForces forces;
+  double mass_damping_1_s = 0;
   std::vector<Vec3> rest_m;
   NodalVectors positions_m, velocities_m_s, accelerations_m_s2, viscous_N;
   NodalVectors middle_m;  ///< scratch of energies()
@@ -84,17 +81,24 @@ struct ElasticTissue::Arrays {
   CriticalStep critical;
   std::size_t surface_vertices = 0;
   Vec3 gravity_m_s2 = Vec3::Zero();
-  double stiffness_growth = 1, viscous_growth = 1;  ///< as the last substepsFor() found them
-  double step_s = 0;                                ///< of the last substepsFor()
-  int substeps = 0;                                 ///< that it gave
-  double substep_s = 0;                             ///< of the last advance()
+  std::vector<StretchPass> stretches;  ///< one a material: scratch
+  std::vector<Growth> growths;         ///< one a material, as the last substepsFor() found them
+  std::vector<Growth> foreseen;        ///< scratch of substepsFor()
+  double step_s = 0;                   ///< of the last substepsFor()
+  int substeps = 0;                    ///< that it gave
+  double substep_s = 0;                ///< of the last advance()
   double viscous_loss_J = 0, mass_damping_loss_J = 0, contact_work_J = 0;
 };
 
 ElasticTissue::ElasticTissue(const TetrahedralMesh& rest, const ElasticMaterial& material,
                              std::span<const int> fixed_vertices, int surface_vertices,
                              const Vec3& gravity_m_s2)
-    : arrays_(std::make_unique<Arrays>(rest, material, fixed_vertices)) {
+    : ElasticTissue(rest, ElementMaterials{{material}, {}}, fixed_vertices, surface_vertices, gravity_m_s2) {}
+
+ElasticTissue::ElasticTissue(const TetrahedralMesh& rest, const ElementMaterials& materials,
+                             std::span<const int> fixed_vertices, int surface_vertices,
+                             const Vec3& gravity_m_s2)
+    : arrays_(std::make_unique<Arrays>(rest, materials, fixed_vertices)) {
   if (surface_vertices < 0 || surface_vertices > static_cast<int>(rest.vertices_m.size()))
     throw std::invalid_argument("elastic tissue: " + std::to_string(surface_vertices) +
                                 " surface vertices of " + std::to_string(rest.vertices_m.size()));
@@ -107,20 +111,28 @@ ElasticTissue::ElasticTissue(ElasticTissue&&) noexcept = default;
 ElasticTissue& ElasticTissue::operator=(ElasticTissue&&) noexcept = default;
 
 double ElasticTissue::criticalStep_s() const {
-  return arrays_->critical.step_s(arrays_->stiffness_growth, arrays_->viscous_growth);
+  return arrays_->critical.step_s(arrays_->growths);
+}
+
+double ElasticTissue::criticalStepOf_s(const ElasticMaterial& material) const {
+  const std::vector<ElasticMaterial>& materials = arrays_->forces.materials();
+  const auto found = std::find(materials.begin(), materials.end(), material);
+  if (found == materials.end()) throw std::invalid_argument("elastic tissue: no element has this material");
+  return criticalStepAlone_s(arrays_->forces, arrays_->inverse_masses_1_kg,
+                             static_cast<std::size_t>(found - materials.begin()));
 }
 
 int ElasticTissue::substepsFor(double step_s) {
   Arrays& a = *arrays_;
-  const StretchPass stretch = a.forces.stretch(a.positions_m.front().data());
-  const double stiffness = std::max(1.0, largestOf(stretch.stiffness_growth));
-  const double viscous = std::max(1.0, largestOf(stretch.viscous_growth));
-  const double trend = std::max(1.0, stiffness / a.stiffness_growth);
-  const double viscous_trend = std::max(1.0, viscous / a.viscous_growth);
-  a.stiffness_growth = stiffness;
-  a.viscous_growth = viscous;
-  const double wanted =
-      step_s / (kStepSafety * a.critical.step_s(stiffness * trend, viscous * viscous_trend));
+  a.findStretches();
+  for (std::size_t m = 0; m < a.growths.size(); ++m) {
+    const Growth now = {std::max(1.0, largestOf(a.stretches[m].stiffness_growth)),
+                        std::max(1.0, largestOf(a.stretches[m].viscous_growth))};
+    a.foreseen[m] = {now.stiffness * std::max(1.0, now.stiffness / a.growths[m].stiffness),
+                     now.viscous * std::max(1.0, now.viscous / a.growths[m].viscous)};
+    a.growths[m] = now;
+  }
+  const double wanted = step_s / (kStepSafety * a.critical.step_s(a.foreseen));
   if (step_s != a.step_s) a.substeps = 1;
   const int whole = wanted < kMostSubsteps ? static_cast<int>(std::ceil(wanted)) : kMostSubsteps;
   a.substeps = std::max(a.substeps, whole);
@@ -136,7 +148,7 @@ void ElasticTissue::advance(double substep_s) {
                    .masses_kg = a.masses_kg.data(),
                    .inverse_masses_1_kg = a.inverse_masses_1_kg.data(),
                    .gravity_m_s2 = {a.gravity_m_s2.x(), a.gravity_m_s2.y(), a.gravity_m_s2.z()},
-                   .mass_damping_1_s = a.material.mass_damping_1_s,
+                   .mass_damping_1_s = a.mass_damping_1_s,
                    .substep_s = substep_s,
                    .positions_m = a.positions_m.front().data(),
                    .velocities_m_s = a.velocities_m_s.front().data(),
@@ -161,7 +173,7 @@ void ElasticTissue::addMotion(std::span<const Vec3> motion_m, double substep_s) 
     a.velocities_m_s[v] += change_m_s;
     const Vec3 mean_m_s = 0.5 * (first_m_s + a.velocities_m_s[v]);
     a.contact_work_J += a.masses_kg[v] * change_m_s.dot(mean_m_s);
-    a.mass_damping_loss_J += 0.5 * a.masses_kg[v] * a.material.mass_damping_1_s * motion_m[v].dot(first_m_s);
+    a.mass_damping_loss_J += 0.5 * a.masses_kg[v] * a.mass_damping_1_s * motion_m[v].dot(first_m_s);
     if (!a.viscous_N.empty()) a.viscous_loss_J -= 0.5 * motion_m[v].dot(a.viscous_N[v]);
   }
 }
@@ -205,9 +217,10 @@ ElasticEnergies ElasticTissue::energies() const {
 }
 
 int ElasticTissue::invertedElements() const {
-  const StretchPass stretch = arrays_->forces.stretch(arrays_->positions_m.front().data());
+  arrays_->findStretches();
   double inverted = 0;
-  for (const double of_lane : stretch.inverted) inverted += of_lane;
+  for (const StretchPass& stretch : arrays_->stretches)
+    for (const double of_lane : stretch.inverted) inverted += of_lane;
   return static_cast<int>(inverted);
 }
 

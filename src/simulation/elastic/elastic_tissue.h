@@ -34,6 +34,9 @@ class ElasticTissue {
   /// `surface_vertices`: how many vertices of `rest`, its first, contacts may move. Fixed vertices never
   /// move. Throws std::invalid_argument, with one line, where the material, an index or the volume of a
   /// tetrahedron is not valid, or FISSURE_INSTRUCTIONS names no instruction set of this machine.
+  ElasticTissue(const TetrahedralMesh& rest, const ElementMaterials& materials,
+                std::span<const int> fixed_vertices, int surface_vertices, const Vec3& gravity_m_s2);
+  /// All of one material.
   ElasticTissue(const TetrahedralMesh& rest, const ElasticMaterial& material,
                 std::span<const int> fixed_vertices, int surface_vertices, const Vec3& gravity_m_s2);
   ~ElasticTissue();
@@ -41,8 +44,11 @@ class ElasticTissue {
   ElasticTissue& operator=(ElasticTissue&&) noexcept;
 
   /// Largest stable substep, seconds: that of the rest shape, shortened by how much the most stretched
-  /// element has stiffened, as the last substepsFor() found it.
+  /// element of each material has stiffened, as the last substepsFor() found it.
   double criticalStep_s() const;
+  /// The largest stable substep at rest if only the elements of this material had a stiffness and a
+  /// viscosity.
+  double criticalStepOf_s(const ElasticMaterial& material) const;
 
   /// How many equal substeps a step of `step_s` needs now: each at most kStepSafety of the largest stable
   /// one, which is looked for in the present shape, and is foreseen to shrink as much again as it did since

@@ -20,7 +20,7 @@ struct ElementArrays {
   const double* inverse_edges = nullptr;
   /// [group][7][lane]: inverse edges times their transpose (00, 01, 02, 11, 12, 22), and their determinant.
   const double* metrics = nullptr;
-  const double* volumes_m3 = nullptr;  ///< [group][lane], at rest; 0 for lanes that fill up the last group
+  const double* volumes_m3 = nullptr;  ///< [group][lane], at rest; 0 for lanes that fill up a last group
   const int* first_slots = nullptr;    ///< [vertices + 1]: where the slots of a vertex begin
 };
 

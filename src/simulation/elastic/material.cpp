@@ -1,8 +1,10 @@
 #include "elastic/material.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 
 namespace fissure {
 
@@ -33,6 +35,38 @@ void checkMaterial(const ElasticMaterial& material) {
   require(notNegative(material.viscosity_Pa_s), "viscosity_Pa_s", material.viscosity_Pa_s, "a number from 0");
   require(notNegative(material.mass_damping_1_s), "mass_damping_1_s", material.mass_damping_1_s,
           "a number from 0");
+}
+
+ElementMaterials distinctMaterials(const ElementMaterials& given, std::size_t elements) {
+  const std::vector<ElasticMaterial>& materials = given.materials;
+  const auto fail = [](const std::string& why) { throw std::invalid_argument("elastic material: " + why); };
+  if (materials.empty()) fail("there is none");
+  for (const ElasticMaterial& material : materials) {
+    checkMaterial(material);
+    if (material.model != materials[0].model || material.mass_damping_1_s != materials[0].mass_damping_1_s)
+      fail("model and mass_damping_1_s differ between regions, expected the same in all");
+  }
+  if (given.of_elements.empty()) return {{materials[0]}, {}};
+  if (given.of_elements.size() != elements)
+    fail(std::to_string(given.of_elements.size()) + " elements have one, of " + std::to_string(elements));
+
+  std::vector<bool> used(materials.size());
+  for (const int material : given.of_elements) {
+    if (material < 0 || material >= static_cast<int>(materials.size()))
+      fail(std::to_string(material) + " is none of " + std::to_string(materials.size()));
+    used[static_cast<std::size_t>(material)] = true;
+  }
+  ElementMaterials distinct;
+  std::vector<int> number(materials.size());
+  for (std::size_t m = 0; m < materials.size(); ++m) {
+    if (!used[m]) continue;
+    const auto same = std::find(distinct.materials.begin(), distinct.materials.end(), materials[m]);
+    number[m] = static_cast<int>(same - distinct.materials.begin());
+    if (same == distinct.materials.end()) distinct.materials.push_back(materials[m]);
+  }
+  for (const int material : given.of_elements)
+    distinct.of_elements.push_back(number[static_cast<std::size_t>(material)]);
+  return distinct;
 }
 
 }  // namespace fissure

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
 namespace fissure {
 
 /// Hyperelastic laws of a tissue. Both have the Young's modulus and Poisson's ratio of the material at small
@@ -28,7 +31,20 @@ struct ElasticMaterial {
   double viscosity_Pa_s = 0;
   /// Deceleration over velocity. It acts on the motion of the body as a whole too.
   double mass_damping_1_s = 0;
+
+  bool operator==(const ElasticMaterial&) const = default;
 };
+
+/// What each element of a tissue consists of. All materials have one model and one mass damping.
+struct ElementMaterials {
+  std::vector<ElasticMaterial> materials;  ///< at least one
+  std::vector<int> of_elements;            ///< one a tetrahedron: its material; empty: all the first
+};
+
+/// The same with each material once, in their order, and only those that an element has. Throws
+/// std::invalid_argument, with one line, where one is not valid, they do not agree, or `of_elements` is not
+/// one material for each of `elements`.
+ElementMaterials distinctMaterials(const ElementMaterials& given, std::size_t elements);
 
 /// Lame constants of a material, pascals.
 struct LameConstants {

@@ -25,24 +25,26 @@ std::unique_ptr<btConvexShape> makeToolShape(const SceneTool& tool) {
 
 }  // namespace
 
-KinematicTools::KinematicTools(const PipelineContext& context) : world_(context.world) {
-  for (std::size_t t = 0; t < context.scenario.tools.size(); ++t) {
-    const ToolSettings& tool = context.scenario.tools[t];
-    shapes_.push_back(makeToolShape(context.scene.tools[t]));
+KinematicTools::KinematicTools(btDynamicsWorld& world, const Scenario& scenario, const Scene& scene,
+                               const std::vector<Pose>& first_poses)
+    : world_(world) {
+  for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
+    const ToolSettings& tool = scenario.tools[t];
+    shapes_.push_back(makeToolShape(scene.tools[t]));
     btRigidBody::btRigidBodyConstructionInfo info(0, nullptr, shapes_.back().get());
-    info.m_startWorldTransform = toBullet(context.first_poses[t]);
+    info.m_startWorldTransform = toBullet(first_poses[t]);
     info.m_friction = static_cast<btScalar>(tool.friction);
     bodies_.push_back(std::make_unique<btRigidBody>(info));
     btRigidBody& body = *bodies_.back();
     body.setCollisionFlags(body.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
     body.setActivationState(
         DISABLE_DEACTIVATION);  // before it is added: a sleeping tool never gets its velocity
-    world_.world().addRigidBody(&body);
+    world_.addRigidBody(&body);
   }
 }
 
 KinematicTools::~KinematicTools() {
-  for (const auto& body : bodies_) world_.world().removeRigidBody(body.get());
+  for (const auto& body : bodies_) world_.removeRigidBody(body.get());
 }
 
 // Only the world transform: Bullet takes the velocity from its difference to the interpolation transform.

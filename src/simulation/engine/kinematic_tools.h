@@ -15,7 +15,10 @@ class KinematicTools {
  public:
   /// Boxes as Bullet's boxes, other tools as their convex hulls. Throws InputError for a tool that is not
   /// convex, or open: Bullet's soft bodies meet it as triangles 120 mm thick.
-  explicit KinematicTools(const PipelineContext& context);
+  KinematicTools(btDynamicsWorld& world, const Scenario& scenario, const Scene& scene,
+                 const std::vector<Pose>& first_poses);
+  explicit KinematicTools(const PipelineContext& context)
+      : KinematicTools(context.world.world(), context.scenario, context.scene, context.first_poses) {}
   ~KinematicTools();
   KinematicTools(const KinematicTools&) = delete;
   KinematicTools& operator=(const KinematicTools&) = delete;
@@ -26,7 +29,7 @@ class KinematicTools {
   int indexOf(const btCollisionObject* object) const;
 
  private:
-  BulletWorld& world_;
+  btDynamicsWorld& world_;
   std::vector<std::unique_ptr<btConvexShape>> shapes_;
   std::vector<std::unique_ptr<btRigidBody>> bodies_;
 };

@@ -1,5 +1,6 @@
 #include "engine/simulation.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -38,8 +39,9 @@ const PipelineFactory& pipelineFactory(PipelineKind kind) {
 }
 
 std::vector<PipelineKind> enginePipelines() {
-  std::vector<PipelineKind> kinds;
+  std::vector<PipelineKind> kinds = {PipelineKind::deformable};
   for (const PipelineFactory& factory : factories) kinds.push_back(factory.kind);
+  std::sort(kinds.begin(), kinds.end());
   return kinds;
 }
 

@@ -15,6 +15,12 @@ namespace fissure {
 std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
                                            const Scene& scene, const std::vector<Pose>& first_poses);
 
+/// The same for a body of model elastic, in Bullet's deformable world (pipeline deformable). Tools cannot be
+/// pushed. Throws std::invalid_argument for another pipeline.
+std::unique_ptr<Simulation> makeDeformableSimulation(const Scenario& scenario,
+                                                     const PipelineSettings& pipeline, const Scene& scene,
+                                                     const std::vector<Pose>& first_poses);
+
 /// The pipelines that this engine can build; a test says that they are those of pipeline_table.
 std::vector<PipelineKind> enginePipelines();
 

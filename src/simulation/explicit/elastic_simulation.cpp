@@ -4,22 +4,15 @@
 #include <stdexcept>
 #include <utility>
 
-#include "explicit/contact_pressure.h"
-#include "explicit/elastic_model.h"
 #include "stepping/contact_method.h"
+#include "stepping/contact_pressure.h"
+#include "stepping/elastic_model.h"
 #include "stepping/stepped_state.h"
+#include "stepping/tool_between.h"
 
 namespace fissure {
 
 namespace {
-
-/// The tool `share` of its way from one pose to the next, at their velocity.
-ToolState between(const ToolState& from, const ToolState& to, double share) {
-  ToolState at = to;
-  at.pose.position_m = from.pose.position_m + share * (to.pose.position_m - from.pose.position_m);
-  at.pose.orientation = from.pose.orientation.slerp(share, to.pose.orientation);
-  return at;
-}
 
 /// Means of the forces and the sum of the work of a step's substeps; the rest is the last one's.
 class MeanOutcome {

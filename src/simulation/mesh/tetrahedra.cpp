@@ -31,6 +31,9 @@ Volume volumeOf(const TrianglesShape&) {
 Volume volumeOf(const FileShape&) {
   return std::nullopt;
 }
+Volume volumeOf(const TetrahedraShape&) {
+  return std::nullopt;
+}
 
 }  // namespace
 

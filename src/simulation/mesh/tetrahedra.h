@@ -10,7 +10,7 @@ namespace fissure {
 
 /// The volume of a shape, in its own frame: its first vertices are those of makeSurface(shape), in their
 /// order and bit for bit, and its boundary has the same triangles. Every tetrahedron has a positive volume.
-/// Nothing for the shapes that are only a surface (tetrahedraOf has none). Deterministic.
+/// Nothing for shapes whose tetrahedra a file or a mesher has (tetrahedraOf has none). Deterministic.
 std::optional<TetrahedralMesh> makeTetrahedra(const SurfaceShape& shape);
 
 /// Box of full edge lengths `size_m` whose surface is makeBox's: six tetrahedra a cell, which mirror those of

@@ -81,13 +81,19 @@ Run::Run(const Scenario& scenario, const PipelineSettings& pipeline, PreparedSce
   const double duration_s = scenario.time.duration_s.value_or(prepared_.longestMotion_s());
   steps_ = static_cast<std::int64_t>(stepsToCover(duration_s, scenario.time.step_s));
   settling_steps_ = static_cast<std::int64_t>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
-  simulation_ = isElastic() ? makeElasticSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0))
-                            : makeSimulation(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
+  const auto make = !isElastic()            ? &makeSimulation
+                    : pipeline.usesVolume() ? &makeDeformableSimulation
+                                            : &makeElasticSimulation;
+  simulation_ = make(engine_scenario_, pipeline, prepared_.scene, posesAt(0));
   makeCouplings();
 }
 
 bool Run::isElastic() const {
   return prepared_.scene.bodies.at(0).volume.has_value();
+}
+
+bool Run::isExplicit() const {
+  return isElastic() && !pipeline_.usesVolume();
 }
 
 void Run::makeCouplings() {
@@ -227,7 +233,7 @@ RunStatus Run::execute(const Outputs& outputs) {
     if (outputs.progress) outputs.progress(settling_steps_ + step, total);
   }
 
-  Summary summary = {{"provenance/engine_version", isElastic() ? elasticEngineVersion() : engineVersion()}};
+  Summary summary = {{"provenance/engine_version", isExplicit() ? elasticEngineVersion() : engineVersion()}};
   if (frames) {
     for (const auto& [name, value] : frames->versions()) summary.push_back({"provenance/" + name, value});
   }

@@ -44,6 +44,7 @@ class Run {
 
  private:
   bool isElastic() const;
+  bool isExplicit() const;  ///< moved by the engine of explicit/
   std::vector<Pose> posesAt(double time_s) const;
   void makeCouplings();
   void moveCoupled(std::vector<Pose>& poses);

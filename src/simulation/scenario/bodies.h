@@ -6,6 +6,7 @@
 
 #include "base/geometry.h"
 #include "scenario/elastic.h"
+#include "scenario/regions.h"
 #include "scenario/shapes.h"
 
 namespace fissure {
@@ -80,18 +81,10 @@ struct ClusterSettings {
   bool operator==(const ClusterSettings&) const = default;
 };
 
-/// An upright box in the scene's frame, its bounds included.
-struct BoxRegion {
-  Vec3 min_m = Vec3::Zero();
-  Vec3 max_m = Vec3::Zero();
-
-  bool operator==(const BoxRegion&) const = default;
-};
-
 /// Vertices of a body that never move, wherever they are at time zero: exactly one of the two.
 struct FixedRegion {
   std::optional<double> below_m;  ///< those at this height or below it
-  std::optional<BoxRegion> box;   ///< those inside
+  std::optional<BoxRegion> box;   ///< those inside, in the scene's frame
 
   bool operator==(const FixedRegion&) const = default;
 };
@@ -99,7 +92,7 @@ struct FixedRegion {
 /// Vertices of a body whose mean displacement is a result: how far an opening was opened, a rim pushed.
 struct GaugeSettings {
   std::string name;  ///< unique in the scenario
-  BoxRegion box;     ///< those inside where the body is placed; at least one
+  BoxRegion box;     ///< those inside, in the scene's frame, where the body is placed; at least one
 
   bool operator==(const GaugeSettings&) const = default;
 };
@@ -128,10 +121,21 @@ struct BodySettings {
   ElasticSettings elastic;
 
   bool isElastic() const { return model == BodyModel::elastic; }
+  /// Whether it is elastic and its shape a surface alone, whose inside the mesher fills.
+  bool isFilledByMesher() const {
+    return isElastic() &&
+           (std::holds_alternative<TrianglesShape>(shape) || std::holds_alternative<FileShape>(shape));
+  }
   /// Coulomb's coefficient of the tissue; times that of what it touches.
   double friction() const { return isElastic() ? elastic.friction : solver.dynamic_friction; }
   /// The body's own time over the scene's.
   double timeScale() const { return isElastic() ? 1 : solver.time_scale; }
+
+  /// Writes the mesher's defaults into their field, so that a stored scenario says every number that was
+  /// used.
+  void fillDefaults() {
+    if (isFilledByMesher() && !elastic.fill) elastic.fill.emplace();
+  }
 
   bool operator==(const BodySettings&) const = default;
 };

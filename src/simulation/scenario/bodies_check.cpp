@@ -41,13 +41,6 @@ void checkClusters(Checker check, const ClusterSettings& c) {
   check.between("matching", c.matching, 0, 1);
 }
 
-void checkBox(Checker check, const BoxRegion& box) {
-  check.finite("min_m", box.min_m);
-  check.finite("max_m", box.max_m);
-  check.require(!(box.min_m.array() > box.max_m.array()).any(), "min_m",
-                "is above max_m, expected at most max_m in each direction");
-}
-
 void checkFixed(Checker check, const FixedRegion& region) {
   check.require(region.below_m.has_value() != region.box.has_value(), "",
                 "expected exactly one of below_m and box");
@@ -57,6 +50,13 @@ void checkFixed(Checker check, const FixedRegion& region) {
 }
 
 }  // namespace
+
+void checkBox(Checker check, const BoxRegion& box) {
+  check.finite("min_m", box.min_m);
+  check.finite("max_m", box.max_m);
+  check.require(!(box.min_m.array() > box.max_m.array()).any(), "min_m",
+                "is above max_m, expected at most max_m in each direction");
+}
 
 void checkGauge(Checker check, const GaugeSettings& gauge) {
   checkBox(check.in("box"), gauge.box);

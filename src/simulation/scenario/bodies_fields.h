@@ -71,6 +71,35 @@ void describe(Io& io, GaugeSettings& g) {
 }
 
 template <class Io>
+void describe(Io& io, FillSettings& f) {
+  io.field("keep_surface", f.keep_surface);
+  io.field("radius_edge_ratio", f.radius_edge_ratio);
+  io.field("least_dihedral_deg", f.least_dihedral_deg);
+  io.field("max_edge_m", f.max_edge_m);
+}
+
+template <class Io>
+void describe(Io& io, CapsuleRegion& r) {
+  io.required("from_m", r.from_m);
+  io.required("to_m", r.to_m);
+  io.required("radius_m", r.radius_m);
+}
+
+template <class Io>
+void describe(Io& io, ElasticRegion& r) {
+  io.required("name", r.name);
+  io.field("tag", r.tag);
+  io.field("box", r.box);
+  io.field("capsule", r.capsule);
+  io.choice("preset", r.preset, catalog().elastic_presets);
+  io.whileReading([&] { applyPreset(r); });
+  io.field("youngs_modulus_Pa", r.youngs_modulus_Pa);
+  io.field("poissons_ratio", r.poissons_ratio);
+  io.field("density_kg_m3", r.density_kg_m3);
+  io.field("viscosity_Pa_s", r.viscosity_Pa_s);
+}
+
+template <class Io>
 void describe(Io& io, ElasticSettings& e) {
   io.choice("preset", e.preset, catalog().elastic_presets);
   io.whileReading([&] { applyPreset(e); });
@@ -81,6 +110,8 @@ void describe(Io& io, ElasticSettings& e) {
   io.field("viscosity_Pa_s", e.viscosity_Pa_s);
   io.field("mass_damping_1_s", e.mass_damping_1_s);
   io.field("friction", e.friction);
+  io.field("fill", e.fill);
+  io.field("regions", e.regions);
 }
 
 template <class Io>

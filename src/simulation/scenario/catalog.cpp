@@ -52,9 +52,14 @@ const Catalog& catalog() {
                   {"minimum_jerk", "10 s^3 - 15 s^4 + 6 s^5"}},
       .interpolations = {{"linear", "straight lines between samples"},
                          {"monotone_cubic", "smooth, without overshoot (Fritsch and Carlson 1980)"}},
-      .settings = {{"stock", "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1"},
+      .settings = {{"stock",
+                    "Bullet's defaults: SDF voxel 0.25 m, kinematic contact hardness 0.1; deformable: as "
+                    "Bullet's examples of the material are set"},
                    {"tuned",
-                    "SDF voxel 0.5 mm, kinematic contact hardness 1; clusters: at least 20 iterations"}},
+                    "SDF voxel 0.5 mm, kinematic contact hardness 1; clusters: at least 20 iterations; "
+                    "deformable: explicit, in as many substeps as the mesh asks for"}},
+      .deformable_contacts = {{"nodes", "tissue vertices in the tool's signed distance field (SDF_RDN)"},
+                              {"faces", "tissue triangles against the tool by GJK (SDF_RDF)"}},
       .responses = {{"none", "contacts displace the tissue and leave its velocities (the paper)"},
                     {"momentum",
                      "velocities follow the displacement; the reaction is the momentum taken, friction too"}},

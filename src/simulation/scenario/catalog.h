@@ -30,6 +30,7 @@ struct Catalog {
   std::vector<CatalogEntry> timings;
   std::vector<CatalogEntry> interpolations;
   std::vector<CatalogEntry> settings;
+  std::vector<CatalogEntry> deformable_contacts;
   std::vector<CatalogEntry> responses;
   std::vector<CatalogEntry> ground_contacts;
   std::vector<CatalogEntry> precisions;

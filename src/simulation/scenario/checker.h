@@ -63,6 +63,8 @@ void checkOpenings(Checker check, const ReplayMotion& motion, const std::optiona
 void checkJawNames(Checker check, const std::vector<ToolSettings>& tools);
 void checkPipeline(Checker check, const PipelineSettings& pipeline);
 void checkElastic(Checker check, const ElasticSettings& elastic);
+void checkElasticRegion(Checker check, const ElasticRegion& region);
+void checkBox(Checker check, const BoxRegion& box);
 /// Relations of an elastic body with the rest of the scenario.
 void checkElasticScene(Checker check, const Scenario& scenario);
 void checkForce(Checker check, const ForceSettings& force);

@@ -20,15 +20,39 @@ const std::vector<ElasticPreset>& elasticPresets() {
   return all;
 }
 
-void applyPreset(ElasticSettings& elastic) {
-  if (!elastic.preset) return;
+namespace {
+
+template <class Material>
+void applyTo(Material& material) {
+  if (!material.preset) return;
   const auto found =
       std::find_if(elasticPresets().begin(), elasticPresets().end(),
-                   [&](const ElasticPreset& preset) { return preset.name == *elastic.preset; });
+                   [&](const ElasticPreset& preset) { return preset.name == *material.preset; });
   if (found == elasticPresets().end()) return;
-  elastic.youngs_modulus_Pa = found->youngs_modulus_Pa;
-  elastic.poissons_ratio = found->poissons_ratio;
-  elastic.density_kg_m3 = found->density_kg_m3;
+  material.youngs_modulus_Pa = found->youngs_modulus_Pa;
+  material.poissons_ratio = found->poissons_ratio;
+  material.density_kg_m3 = found->density_kg_m3;
+}
+
+}  // namespace
+
+void applyPreset(ElasticSettings& elastic) {
+  applyTo(elastic);
+}
+
+void applyPreset(ElasticRegion& region) {
+  applyTo(region);
+}
+
+ElasticSettings ElasticSettings::materialOf(const ElasticRegion& region) const {
+  ElasticSettings own = *this;
+  own.preset.reset();
+  own.regions.clear();
+  own.youngs_modulus_Pa = region.youngs_modulus_Pa.value_or(youngs_modulus_Pa);
+  own.poissons_ratio = region.poissons_ratio.value_or(poissons_ratio);
+  own.density_kg_m3 = region.density_kg_m3.value_or(density_kg_m3);
+  own.viscosity_Pa_s = region.viscosity_Pa_s.value_or(viscosity_Pa_s);
+  return own;
 }
 
 }  // namespace fissure

@@ -49,4 +49,19 @@ struct FileShape {
   bool operator==(const FileShape&) const = default;
 };
 
+/// Linear tetrahedra from a mesh file; the surface is their boundary.
+struct TetrahedraShape {
+  static constexpr ShapeText text{"tetrahedra",
+                                  "tetrahedra from a Gmsh (.msh) or VTK (.vtk) file, in a stated unit",
+                                  "the boundary of tetrahedra from a .msh or .vtk file, in a stated unit"};
+
+  std::string file;                 ///< relative to the scenario's directory; its ending says the format
+  LengthUnit unit = LengthUnit::m;  ///< of the file's numbers; no default, as for surfaces
+
+  std::optional<double> triangles() const { return std::nullopt; }  ///< only the file says
+  std::optional<double> tetrahedra() const { return std::nullopt; }
+
+  bool operator==(const TetrahedraShape&) const = default;
+};
+
 }  // namespace fissure

@@ -98,7 +98,9 @@ Parsed parse(const std::string& text, const Path& file, const std::vector<Overri
     failAt(locate(tree.root, first.path),
            first.path + " " + first.message + writtenAt(first.others, tree.root));
   }
-  for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults();
+  const ElasticMaterialKind material = loaded.scenario.bodies.front().elastic.material;
+  for (PipelineSettings& pipeline : loaded.scenario.pipelines) pipeline.fillDefaults(material);
+  for (BodySettings& body : loaded.scenario.bodies) body.fillDefaults();
   return parsed;
 }
 

@@ -11,12 +11,13 @@ namespace fissure {
 
 /// A collision pipeline: how tools meet tissue. `default_sdf` is called "default" and `null_sdf` "null" in
 /// files.
-enum class PipelineKind { default_sdf, null_sdf, cluster, raycast, fukuhara, swept, prescribed };
+enum class PipelineKind { default_sdf, null_sdf, cluster, deformable, raycast, fukuhara, swept, prescribed };
 
 /// What finds the contacts of a pipeline.
 enum class ContactDetection {
   sdf,       ///< Bullet tests tissue vertices against the tool's signed distance field
   clusters,  ///< Bullet tests clusters of tissue vertices against the tool
+  volume,    ///< Bullet's world of tetrahedra tests tissue vertices or triangles against the tool
   nodes,     ///< rays cast from nodes on the tool; what the contacts then do is the run's `response`
   surface,   ///< all of the tool's surface against all of the tissue's
   sticking,  ///< tissue vertices that a tool reaches are held by it
@@ -45,6 +46,7 @@ struct BulletTuning {
 
 inline constexpr BulletTuning stock_tuning{.sdf_voxel_m = 0.25, .kinematic_hardness = 0.1};
 inline constexpr BulletTuning fine_tuning{.sdf_voxel_m = 0.0005, .kinematic_hardness = 1.0};
+inline constexpr BulletTuning stock_deformable_tuning{.sdf_voxel_m = 0.005};
 inline constexpr BulletTuning fine_cluster_tuning{
     .sdf_voxel_m = 0.0005, .kinematic_hardness = 1.0, .least_cluster_iterations = 20};
 
@@ -88,6 +90,12 @@ inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
      .detection = ContactDetection::clusters,
      .need = ToolNeed::convex_and_closed,
      .tuned = fine_cluster_tuning},
+    {.kind = PipelineKind::deformable,
+     .name = "deformable",
+     .description = "Bullet's own world of finite elements with its own contact, for a body of model elastic",
+     .detection = ContactDetection::volume,
+     .need = ToolNeed::convex_and_closed,
+     .stock = stock_deformable_tuning},
     {.kind = PipelineKind::raycast,
      .name = "raycast",
      .description =

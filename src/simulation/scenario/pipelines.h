@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "scenario/deformable.h"
 #include "scenario/pipeline_table.h"
 
 namespace fissure {
@@ -27,6 +28,10 @@ struct PipelineSettings {
   /// Bullet's own contact with the tool (pipelines `default`, `null`); no value: as `settings` says.
   std::optional<double> sdf_voxel_m;         ///< cell of btSparseSdf, > 0; Bullet's default 0.25
   std::optional<double> kinematic_hardness;  ///< kKHR, 0..1; Bullet's default 0.1
+
+  /// Bullet's deformable world (pipeline `deformable`).
+  DeformableContacts contacts = DeformableContacts::faces;
+  DeformableSolver deformable;
 
   /// Ray casting pipelines.
   /// L; default: the extent of each body at rest, at least the travel in a step.
@@ -60,6 +65,9 @@ struct PipelineSettings {
   bool usesNodes() const { return traits().detection == ContactDetection::nodes; }
   bool usesSurface() const { return traits().detection == ContactDetection::surface; }
   bool usesSdf() const { return traits().detection == ContactDetection::sdf; }
+  bool usesVolume() const { return traits().detection == ContactDetection::volume; }
+  /// Whether tissue vertices are looked up in cells of a tool's signed distance field.
+  bool hasVoxels() const { return usesSdf() || (usesVolume() && contacts == DeformableContacts::nodes); }
   bool usesClusters() const { return traits().detection == ContactDetection::clusters; }
   /// Whether contacts rub: those of nodes only displace tissue unless they respond with momentum.
   bool hasFriction() const { return !usesNodes() || contactResponse() == ContactResponse::momentum; }
@@ -70,6 +78,10 @@ struct PipelineSettings {
   }
   /// The optional fields with their defaults applied.
   double sdfVoxel_m() const { return sdf_voxel_m.value_or(tuning().sdf_voxel_m); }
+  /// Of a body of this material.
+  DeformableSolver deformableSolver(ElasticMaterialKind material) const {
+    return withDefaults(deformable, settings == SettingsPreset::tuned, material);
+  }
   double kinematicHardness() const { return kinematic_hardness.value_or(tuning().kinematic_hardness); }
   bool vertexContacts() const { return vertex_contacts.value_or(traits().vertex_contacts); }
   ContactResponse contactResponse() const { return response.value_or(traits().response); }
@@ -78,17 +90,16 @@ struct PipelineSettings {
   bool ownGround() const { return groundContact() == GroundKind::half_space; }
 
   /// Writes these defaults into their fields, so that a stored scenario says every number that was used (but
-  /// for the least number of cluster iterations, which `settings` stands for). The ground is stored where an
-  /// entry names it.
-  void fillDefaults() {
+  /// for the least number of cluster iterations and the substeps of Bullet's deformable world, which
+  /// `settings` stands for). The ground is stored where an entry names it. `material`: of the first body.
+  void fillDefaults(ElasticMaterialKind material) {
     if (usesNodes()) {
       vertex_contacts = vertexContacts();
       response = contactResponse();
     }
-    if (usesSdf()) {
-      sdf_voxel_m = sdfVoxel_m();
-      kinematic_hardness = kinematicHardness();
-    }
+    if (hasVoxels()) sdf_voxel_m = sdfVoxel_m();
+    if (usesSdf()) kinematic_hardness = kinematicHardness();
+    if (usesVolume()) deformable = deformableSolver(material);
   }
 
   bool operator==(const PipelineSettings&) const = default;

@@ -14,10 +14,10 @@
 
 namespace fissure {
 
-/// The most triangles of a body or a tool: those of a sphere with 7 subdivisions.
+/// The most triangles of a body or a tool: of a sphere with 7 subdivisions.
 inline constexpr std::size_t most_triangles = 131072;
 
-/// The most tetrahedra of an elastic body: those of a sphere with 6 subdivisions.
+/// The most tetrahedra of an elastic body: of a sphere with 6 subdivisions.
 inline constexpr double most_tetrahedra = 2097152;
 
 /// An octahedron, each triangle split in four `subdivisions` times and projected on the sphere: 8 x 4^n
@@ -62,7 +62,7 @@ struct TrianglesShape {
   std::vector<Face> faces;  ///< vertex indices from 0, counter-clockwise seen from outside
 
   double triangles() const { return static_cast<double>(faces.size()); }
-  static std::optional<double> tetrahedra() { return {}; }
+  static std::optional<double> tetrahedra() { return {}; }  ///< only the mesher says
 
   bool operator==(const TrianglesShape&) const = default;
 };
@@ -129,15 +129,16 @@ struct LobesShape {
   bool operator==(const LobesShape&) const = default;
 };
 
-/// What a body or a tool can look like. The catalog lists the alternatives in their order.
-using SurfaceShape = std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, CapsuleShape, LobesShape>;
+/// What a body or a tool can look like, in the catalog's order.
+using SurfaceShape =
+    std::variant<SphereShape, BoxShape, TrianglesShape, FileShape, CapsuleShape, LobesShape, TetrahedraShape>;
 
 /// How many triangles the surface of a shape has; nothing where only a file says.
 inline std::optional<double> trianglesOf(const SurfaceShape& shape) {
   return std::visit([](const auto& one) { return std::optional<double>(one.triangles()); }, shape);
 }
 
-/// How many tetrahedra its volume has; nothing where it is a surface alone.
+/// How many tetrahedra its volume has; nothing where only a file or the mesher says.
 inline std::optional<double> tetrahedraOf(const SurfaceShape& shape) {
   return std::visit([](const auto& one) { return std::optional<double>(one.tetrahedra()); }, shape);
 }

@@ -68,6 +68,11 @@ void checkAlternative(Checker check, const FileShape& shape) {
   if (shape.max_edge_m) check.positive("max_edge_m", *shape.max_edge_m);
 }
 
+/// What can be said without the file.
+void checkAlternative(Checker check, const TetrahedraShape& shape) {
+  check.require(!shape.file.empty(), "file", "is empty, expected the name of a mesh file");
+}
+
 void checkAlternative(Checker check, const LobesShape& lobes) {
   check.positive("size_m", lobes.size_m);
   check.positive("slit_depth_m", lobes.slit_depth_m);

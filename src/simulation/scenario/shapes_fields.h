@@ -35,6 +35,12 @@ void describe(Io& io, FileShape& s) {
 }
 
 template <class Io>
+void describe(Io& io, TetrahedraShape& s) {
+  io.required("file", s.file);
+  io.requiredChoice("unit", s.unit, catalog().length_units);
+}
+
+template <class Io>
 void describe(Io& io, CapsuleShape& s) {
   io.required("radius_m", s.radius_m);
   io.required("length_m", s.length_m);

@@ -213,8 +213,11 @@ std::vector<Problem> validate(const Scenario& scenario) {
   check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");
   checkItems(check.in("bodies"), scenario.bodies, checkBody);
   std::set<std::string> gauges;
-  for (const BodySettings& body : scenario.bodies)
-    checkItems(check.in("bodies").in(body.name).in("gauges"), body.gauges, checkGauge, gauges);
+  for (const BodySettings& body : scenario.bodies) {
+    Checker of_body = check.in("bodies").in(body.name);
+    checkItems(of_body.in("gauges"), body.gauges, checkGauge, gauges);
+    checkItems(of_body.in("elastic").in("regions"), body.elastic.regions, checkElasticRegion);
+  }
   checkItems(check.in("tools"), scenario.tools, checkTool);
   check.require(!scenario.pipelines.empty(), "pipelines", "is empty, expected at least one");
   checkItems(check.in("pipelines"), scenario.pipelines, checkPipeline);

@@ -15,7 +15,7 @@ namespace fissure {
 namespace {
 
 /// What was repaired of a shape that is a file's.
-std::vector<std::string> repairsOf(const SurfaceShape& shape, const SurfaceFiles& files) {
+std::vector<std::string> repairsOf(const SurfaceShape& shape, const MeshFiles& files) {
   const auto* from_file = std::get_if<FileShape>(&shape);
   return from_file ? files.surface(*from_file).repairs : std::vector<std::string>();
 }
@@ -34,7 +34,7 @@ ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   return makeCentroidNodes(fine, settings);
 }
 
-SceneTool makeTool(const ToolSettings& tool, const SurfaceFiles& files, bool with_nodes) {
+SceneTool makeTool(const ToolSettings& tool, const MeshFiles& files, bool with_nodes) {
   SceneTool made{
       .name = tool.name, .surface = makeSurface(tool.shape, files), .repairs = repairsOf(tool.shape, files)};
   if (const auto* box = std::get_if<BoxShape>(&tool.shape)) made.box_size_m = box->size_m;
@@ -45,7 +45,7 @@ SceneTool makeTool(const ToolSettings& tool, const SurfaceFiles& files, bool wit
 }
 
 /// All parts of a handle as one surface, in the clamp's frame.
-TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const SurfaceFiles& files) {
+TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const MeshFiles& files) {
   TriangleMesh handle;
   for (const ClampPart& part : parts) {
     const Pose pose{part.position_m, part.orientation.normalized()};
@@ -58,7 +58,7 @@ TriangleMesh makeHandle(const std::vector<ClampPart>& parts, const SurfaceFiles&
   return handle;
 }
 
-void addClamp(const ToolSettings& clamp, const SurfaceFiles& files, bool drawn, Scene& scene) {
+void addClamp(const ToolSettings& clamp, const MeshFiles& files, bool drawn, Scene& scene) {
   const int left = static_cast<int>(scene.tools.size());
   scene.clamps.push_back({.name = clamp.name,
                           .left_tool = left,
@@ -69,7 +69,7 @@ void addClamp(const ToolSettings& clamp, const SurfaceFiles& files, bool drawn, 
 
 }  // namespace
 
-Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& files) {
+Scene buildScene(const Scenario& scenario, bool with_nodes, const MeshFiles& files) {
   Scene scene;
   for (const BodySettings& body : scenario.bodies) {
     SceneBody placed{
@@ -77,7 +77,7 @@ Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& 
     placed.first_vertex = scene.vertexCount();
     placed.first_face = scene.faceCount();
     placed.fixed_vertices = fixedVertices(body, placed.rest.vertices_m);
-    if (body.isElastic()) placed.volume = placeVolume(body);
+    if (body.isElastic()) placed.volume = placeVolume(body, files);
     for (const GaugeSettings& gauge : body.gauges)
       placed.gauges.push_back({gauge.name, verticesIn(gauge.box, placed.rest)});
     scene.bodies.push_back(std::move(placed));
@@ -96,11 +96,11 @@ Scene buildScene(const Scenario& scenario, bool with_nodes, const SurfaceFiles& 
 }
 
 Scene buildScene(const Scenario& scenario, bool with_nodes) {
-  return buildScene(scenario, with_nodes, SurfaceFiles(scenario.directory));
+  return buildScene(scenario, with_nodes, MeshFiles(scenario.directory));
 }
 
 void adaptTo(const PipelineSettings& pipeline, Scene& scene) {
-  scene.ground_reaction_known = scene.ground_height_m && pipeline.ownGround();
+  scene.ground_reaction_known = scene.ground_height_m && (pipeline.ownGround() || pipeline.usesVolume());
   if (pipeline.usesNodes()) return;
   for (SceneTool& tool : scene.tools) {
     tool.nodes = {};

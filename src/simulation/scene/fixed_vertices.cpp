@@ -7,11 +7,11 @@ namespace fissure {
 namespace {
 
 bool holds(const BoxRegion& box, const Vec3& point_m) {
-  return (point_m.array() >= box.min_m.array()).all() && (point_m.array() <= box.max_m.array()).all();
+  return box.holds(point_m);
 }
 
 bool holds(const FixedRegion& region, const Vec3& point_m) {
-  return region.below_m ? point_m.y() <= *region.below_m : holds(*region.box, point_m);
+  return region.below_m ? point_m.y() <= *region.below_m : region.box->holds(point_m);
 }
 
 template <class Region>

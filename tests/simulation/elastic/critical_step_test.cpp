@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "block_mesh.h"
 #include "tissue_probe.h"
+#include "two_materials.h"
 
 namespace fissure {
 
@@ -141,6 +141,34 @@ TEST(CriticalStep, FollowsTheStretch) {
           EXPECT_GT(tissue.criticalStep_s(), 0.5 * limit_s) << stretch.name << " " << ratio;
         }
   }
+}
+
+// Two layers, the lower one stiffer or softer, that share their stretch sideways and have their own along z.
+TEST(CriticalStep, FollowsTheStretchOfEachMaterial) {
+  const BlockMesh block = makeBlock({.cells = {3, 3, 4}, .size_m = {0.04, 0.04, 0.04}});
+  const auto isBelow = [](const Vec3& p) { return p.z() < 0.02; };
+  for (const MaterialModel model : kModels)
+    for (const auto& [upper_ratio, lower_ratio] : {std::pair{0.3, 0.3}, std::pair{0.49, 0.3}})
+      for (const double contrast : {0.01, 0.5, 3.0, 100.0})
+        for (const double sideways : {1.0, 1.3})
+          for (const auto& [upper, lower] : {std::pair{1.0, 1.5}, std::pair{1.5, 1.0}, std::pair{0.8, 1.5},
+                                             std::pair{0.6, 1.0}, std::pair{1.0, 1.0}}) {
+            ElasticTissue tissue(block.mesh,
+                                 twoMaterials(block.mesh, {model, 1e4, upper_ratio, 1000},
+                                              {model, contrast * 1e4, lower_ratio, 1000}, isBelow),
+                                 {}, 0, Vec3::Zero());
+            for (Vec3& position_m : tissue.positions_m()) {
+              const double above_m = std::max(0.0, position_m.z() - 0.02);
+              position_m = {sideways * position_m.x(), sideways * position_m.y(),
+                            lower * (position_m.z() - above_m) + upper * above_m};
+            }
+            tissue.substepsFor(1e-3);
+            const double limit_s = 2 / std::sqrt(highestFrequencySquared(tissue));
+            EXPECT_LT(tissue.criticalStep_s(), 1.01 * limit_s)
+                << upper_ratio << " " << contrast << " " << sideways << " " << upper << " " << lower;
+            EXPECT_GT(tissue.criticalStep_s(), 0.5 * limit_s)
+                << upper_ratio << " " << contrast << " " << sideways << " " << upper << " " << lower;
+          }
 }
 
 // With viscosity too: the inside of a block whose surface is held stretched. Compressed corotated elements

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "allocations.h"
-#include "block_mesh.h"
 #include "tissue_probe.h"
+#include "two_materials.h"
 
 namespace fissure {
 
@@ -105,8 +105,10 @@ TEST(Tissue, StepsAllocateNothing) {
   const BlockMesh block = makeBlock({.cells = {3, 3, 3}});
   const std::vector<Vec3> motion_m(static_cast<std::size_t>(block.surface_vertices), Vec3(0, 0, -1e-6));
   for (const MaterialModel model : kModels) {
-    ElasticTissue tissue(block.mesh, {model, 1e4, 0.49, 1000, 1, 1}, {}, block.surface_vertices,
-                         Vec3::Zero());
+    const ElementMaterials materials =
+        twoMaterials(block.mesh, {model, 1e4, 0.49, 1000, 1, 1}, {model, 1e5, 0.48, 1000, 0, 1},
+                     [](const Vec3& p) { return p.z() > 0.02; });
+    ElasticTissue tissue(block.mesh, materials, {}, block.surface_vertices, Vec3::Zero());
     const long long before = bench::allocations();
     for (int i = 0; i < 5; ++i) {
       tissue.advance(1e-3 / tissue.substepsFor(1e-3));

@@ -17,8 +17,8 @@ constexpr double kYoungsModulus_Pa = 1e4, kDensity = 1000, kGravity_m_s2 = 0.01;
 class Statics {
  public:
   Statics(const BlockMesh& block, double ratio, bool averaged) : block_(block) {
-    ElementForces forces(block.mesh, {MaterialModel::linear_corotated, kYoungsModulus_Pa, ratio, kDensity},
-                         InstructionSet::baseline);
+    const ElasticMaterial material = {MaterialModel::linear_corotated, kYoungsModulus_Pa, ratio, kDensity};
+    ElementForces forces(block.mesh, {{material}, {}}, InstructionSet::baseline);
     const Eigen::Index size = 3 * static_cast<Eigen::Index>(block.mesh.vertices_m.size());
     stiffness_ = Eigen::MatrixXd(size, size);
     const ElementArrays arrays = forces.arrays();
@@ -29,7 +29,7 @@ class Statics {
       displacements_m[static_cast<std::size_t>(column)] = 1;
       const double* found = slots.data();
       if (averaged) {
-        forces.computeSmall(displacements_m.data(), 0);
+        forces.computeSmall(displacements_m.data(), forces.smallStrainLaws());
         found = forces.forceSlots();
       } else {
         forces.kernels().forces(arrays, {ElementModel::small_strain, lame.mu_Pa, lame.lambda_Pa},

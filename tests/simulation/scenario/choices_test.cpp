@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "mesh/check.h"
-#include "mesh/tetrahedra.h"
 #include "mesh/tetrahedra_check.h"
 #include "motion/motion.h"
 #include "scenario/catalog.h"
@@ -31,10 +30,13 @@ TEST(PipelineTable, IsInTheOrderOfItsKindsAndListed) {
   }
 }
 
-/// The smallest scenario with these keys of a pipeline, as the file `a.yaml` would give it.
+/// The smallest scenario with these keys of a pipeline, as the file `a.yaml` would give it, of a body that
+/// the pipeline is for.
 LoadedScenario withPipeline(const PipelineTraits& pipeline, const std::string& keys) {
   const std::string entry = "[{pipeline: \"" + std::string(pipeline.name) + "\"" + keys + "}]";
-  return parseScenario(smallest_text, "a.yaml", {{"pipelines", entry}});
+  std::vector<Override> overrides = {{"pipelines", entry}};
+  if (pipeline.detection == ContactDetection::volume) overrides.push_back({"bodies.ball.model", "elastic"});
+  return parseScenario(smallest_text, "a.yaml", overrides);
 }
 
 TEST(PipelineTable, EachEntryIsReadFilledValidatedAndWrittenBack) {
@@ -63,8 +65,11 @@ TEST(PipelineTable, EachKeyHasAMeaningForTheDetectionsThatUseIt) {
     std::string names;
   };
   const std::vector<Key> keys = {
-      {"settings: tuned", {sdf, clusters}, "pipelines default, null and cluster"},
-      {"sdf_voxel_m: 0.01", {sdf}, "pipelines default and null"},
+      {"settings: tuned", {sdf, clusters, volume}, "pipelines default, null, cluster and deformable"},
+      {"contacts: nodes", {volume}, "pipeline deformable"},
+      {"contacts: nodes, sdf_voxel_m: 0.01", {volume}, "pipeline deformable"},
+      {"deformable: {substeps: 3}", {volume}, "pipeline deformable"},
+      {"sdf_voxel_m: 0.01", {sdf}, "pipelines default and null, or pipeline deformable with contacts nodes"},
       {"kinematic_hardness: 0.5", {sdf}, "pipelines default and null"},
       {"ray_length_m: 0.1", {nodes}, "pipelines raycast and fukuhara"},
       {"vertex_contacts: true", {nodes}, "pipelines raycast and fukuhara"},
@@ -98,7 +103,12 @@ std::vector<SurfaceShape> shapes() {
           TrianglesShape{corners_m, {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}},
           file,
           CapsuleShape{0.01, 0.05, 1},
-          LobesShape{{0.06, 0.03, 0.07}, 0.02, 0.002, 0.005}};
+          LobesShape{{0.06, 0.03, 0.07}, 0.02, 0.002, 0.005},
+          TetrahedraShape{"tetrahedron.vtk", LengthUnit::cm}};
+}
+
+bool isFromFile(const SurfaceShape& shape) {
+  return std::holds_alternative<FileShape>(shape) || std::holds_alternative<TetrahedraShape>(shape);
 }
 
 /// A motion of each kind, with values that are not its defaults.
@@ -120,6 +130,9 @@ class Choices : public ScenarioFiles {
   Choices() {
     write("tetrahedron.off",
           "OFF\n4 4 0\n0 0 0\n10 0 0\n0 10 0\n0 0 10\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n");
+    write("tetrahedron.vtk",
+          "# vtk DataFile Version 3.0\none\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 double\n0 0 0\n1 0 0\n"
+          "0 1 0\n0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n");
     write("hand.csv", "x,y,z\n0,0,0\n0.01,0,0\n0.01,0.02,0\n");
   }
   LoadedScenario again(const Scenario& scenario) const {
@@ -161,29 +174,33 @@ TEST_F(Choices, EachShapeIsReadValidatedAndWrittenBackForBodiesAndTools) {
     EXPECT_TRUE(validate(scenario).empty()) << name;
     const LoadedScenario loaded = again(scenario);
     EXPECT_EQ(loaded.scenario, scenario) << loaded.resolved;
-    const bool from_file = std::holds_alternative<FileShape>(shape);
+    const bool from_file = isFromFile(shape);
     EXPECT_EQ(loaded.inputs.size(), from_file ? 2u : 0u) << name;
   }
 }
 
 TEST_F(Choices, EachShapeHasAGoodSurfaceOfAsManyTrianglesAsItPromises) {
   for (const SurfaceShape& shape : shapes()) {
-    const TriangleMesh surface = makeSurface(shape, SurfaceFiles(folder_));
+    const TriangleMesh surface = makeSurface(shape, MeshFiles(folder_));
     const std::string name(catalog().body_shapes[shape.index()].name);
     EXPECT_TRUE(inspectSurface(surface).empty()) << name;
-    EXPECT_EQ(trianglesOf(shape).has_value(), !std::holds_alternative<FileShape>(shape)) << name;
+    EXPECT_EQ(trianglesOf(shape).has_value(), !isFromFile(shape)) << name;
     EXPECT_EQ(static_cast<double>(surface.faces.size()), trianglesOf(shape).value_or(4)) << name;
   }
 }
 
-TEST_F(Choices, EachShapeHasAGoodVolumeInItsSurfaceOrSaysThatItHasNone) {
+TEST_F(Choices, EachShapeHasAGoodVolumeInItsSurface) {
+  const MeshFiles files(folder_);
   for (const SurfaceShape& shape : shapes()) {
+    BodySettings body;
+    body.shape = shape;
+    body.model = BodyModel::elastic;
     const std::string name(catalog().body_shapes[shape.index()].name);
-    const std::optional<TetrahedralMesh> volume = makeTetrahedra(shape);
-    EXPECT_EQ(volume.has_value(), tetrahedraOf(shape).has_value()) << name;
-    EXPECT_EQ(volume.has_value(), name != "file" && name != "triangles");
-    if (!volume) continue;
-    EXPECT_TRUE(inspectTetrahedra(*volume, makeSurface(shape, SurfaceFiles(folder_))).empty()) << name;
+    const TetrahedralMesh volume = placeVolume(body, files).mesh;
+    EXPECT_TRUE(inspectTetrahedra(volume, placeBody(body, files)).empty()) << name;
+    EXPECT_EQ(tetrahedraOf(shape).has_value(), !isFromFile(shape) && name != "triangles") << name;
+    const double tetrahedra = static_cast<double>(volume.tetrahedra.size());
+    EXPECT_EQ(tetrahedra, tetrahedraOf(shape).value_or(tetrahedra)) << name;
   }
 }
 

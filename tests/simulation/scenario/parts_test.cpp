@@ -133,6 +133,8 @@ TEST(CatalogTables, AreInTheOrderOfTheirTypes) {
   EXPECT_EQ(at(c.precisions, Precision::f32), "f32");
   EXPECT_EQ(at(c.settings, SettingsPreset::stock), "stock");
   EXPECT_EQ(at(c.settings, SettingsPreset::tuned), "tuned");
+  EXPECT_EQ(at(c.deformable_contacts, DeformableContacts::nodes), "nodes");
+  EXPECT_EQ(at(c.deformable_contacts, DeformableContacts::faces), "faces");
   EXPECT_EQ(at(c.responses, ContactResponse::none), "none");
   EXPECT_EQ(at(c.responses, ContactResponse::momentum), "momentum");
   EXPECT_EQ(at(c.ground_contacts, GroundKind::bullet), "bullet");
@@ -171,7 +173,10 @@ TEST(CatalogTables, EveryPipelineAndLawCanBeWrittenInAFile) {
   for (const CatalogEntry& entry : catalog().pipelines) {
     const std::string quoted = '"' + std::string(entry.name) + '"';
     const Scenario s =
-        parseScenario(smallest_text, "a.yaml", {{"pipelines", "[{pipeline: " + quoted + "}]"}}).scenario;
+        parseScenario(smallest_text, "a.yaml",
+                      {{"pipelines", "[{pipeline: " + quoted + "}]"},
+                       {"bodies.ball.model", entry.name == "deformable" ? "elastic" : "shell"}})
+            .scenario;
     EXPECT_EQ(s.pipelines.at(0).name, entry.name);
     EXPECT_EQ(s.pipelines.at(0).traits().name, entry.name);
   }
@@ -208,6 +213,31 @@ TEST(PipelineSettingsValues, TunedAndStockMeanWhatTheTableSays) {
   EXPECT_FALSE(p.usesSdf());
 }
 
+TEST(PipelineSettingsValues, BulletsDeformableWorldIsSetAsItsExamplesOfTheMaterialAre) {
+  using enum ElasticMaterialKind;
+  PipelineSettings p{.name = "p", .pipeline = PipelineKind::deformable};
+  EXPECT_TRUE(p.usesVolume());
+  EXPECT_FALSE(p.hasVoxels());
+  EXPECT_EQ(p.contacts, DeformableContacts::faces);
+  EXPECT_FALSE(*p.deformableSolver(neo_hookean).implicit);
+  EXPECT_EQ(*p.deformableSolver(neo_hookean).contact_iterations, 150);
+  EXPECT_EQ(*p.deformableSolver(neo_hookean).krylov_tolerance, 1e-8) << "of conjugate residuals";
+  EXPECT_TRUE(*p.deformableSolver(linear_corotated).implicit);
+  EXPECT_EQ(*p.deformableSolver(linear_corotated).contact_tolerance, 1e-3);
+  EXPECT_LT(*p.deformableSolver(linear_corotated).krylov_tolerance, 1e-15) << "of conjugate gradients";
+  p.settings = SettingsPreset::tuned;
+  for (const ElasticMaterialKind material : {neo_hookean, linear_corotated})
+    EXPECT_FALSE(*p.deformableSolver(material).implicit);
+  p.deformable.contact_iterations = 3;
+  p.contacts = DeformableContacts::nodes;
+  EXPECT_TRUE(p.hasVoxels());
+  p.fillDefaults(neo_hookean);
+  EXPECT_EQ(p.deformable.contact_iterations, 3);
+  EXPECT_EQ(p.deformable.projection, false) << "a stored scenario says it";
+  EXPECT_EQ(p.deformable.substeps, std::nullopt) << "they follow the elements";
+  EXPECT_EQ(p.sdf_voxel_m, 0.0005);
+}
+
 TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
   PipelineSettings p;
   p.pipeline = PipelineKind::fukuhara;
@@ -217,7 +247,7 @@ TEST(PipelineSettingsValues, TheFullMethodIsTrueToMomentumUnlessToldOtherwise) {
   p.response.reset();
   p.pipeline = PipelineKind::raycast;
   EXPECT_EQ(p.contactResponse(), ContactResponse::none);
-  p.fillDefaults();
+  p.fillDefaults(ElasticMaterialKind::neo_hookean);
   EXPECT_EQ(p.response, ContactResponse::none) << "a stored scenario says it";
 }
 

@@ -165,36 +165,22 @@ TEST_F(RoundTrip, EveryFieldReachesItsPlace) {
   EXPECT_EQ(triangles.vertices_m[3], Vec3(0, 0, 1));
   EXPECT_EQ(triangles.faces[3], (Face{1, 2, 3}));
   EXPECT_EQ(std::get<LobesShape>(s.bodies[3].shape), (LobesShape{{0.1, 0.2, 0.3}, 0.12, 0.01, 0.07}));
-  EXPECT_EQ(s.pipelines[0], (PipelineSettings{"a",
-                                              PipelineKind::default_sdf,
-                                              Precision::f64,
-                                              SettingsPreset::tuned,
-                                              0.002,
-                                              0.3,
-                                              {},
-                                              {},
-                                              {},
-                                              {},
-                                              30,
-                                              0.005,
-                                              4,
-                                              9}));
+  EXPECT_EQ(s.pipelines[0], (PipelineSettings{.name = "a",
+                                              .pipeline = PipelineKind::default_sdf,
+                                              .settings = SettingsPreset::tuned,
+                                              .sdf_voxel_m = 0.002,
+                                              .kinematic_hardness = 0.3,
+                                              .time_limit_s = 9}));
   EXPECT_EQ(s.pipelines[1].name, "null");
   EXPECT_EQ(s.pipelines[1].precision, Precision::f32);
-  EXPECT_EQ(s.pipelines[2], (PipelineSettings{"b",
-                                              PipelineKind::raycast,
-                                              Precision::f64,
-                                              SettingsPreset::stock,
-                                              {},
-                                              {},
-                                              0.06,
-                                              true,
-                                              ContactResponse::momentum,
-                                              GroundKind::half_space,
-                                              11,
-                                              0.02,
-                                              4,
-                                              3600}));
+  EXPECT_EQ(s.pipelines[2], (PipelineSettings{.name = "b",
+                                              .pipeline = PipelineKind::raycast,
+                                              .ray_length_m = 0.06,
+                                              .vertex_contacts = true,
+                                              .response = ContactResponse::momentum,
+                                              .ground_contact = GroundKind::half_space,
+                                              .sweeps = 11,
+                                              .max_displacement_m = 0.02}));
   EXPECT_EQ(s.pipelines[3], (PipelineSettings{.name = "c",
                                               .pipeline = PipelineKind::swept,
                                               .sweeps = 12,

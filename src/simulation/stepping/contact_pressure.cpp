@@ -1,4 +1,4 @@
-#include "explicit/contact_pressure.h"
+#include "stepping/contact_pressure.h"
 
 namespace fissure {
 

@@ -1,7 +1,7 @@
-# Writes OUTPUT, a source file with the text of each asset: FILES holds name=path, separated by '|'. Raw strings, because
-# every compiler takes them, and in pieces, because the standard promises 64 KiB of one.
+# Writes OUTPUT, a source file with the text of each asset that HEADER declares: FILES holds name=path, separated by '|'.
+# Raw strings, because every compiler takes them, and in pieces, because the standard promises 64 KiB of one.
 string(REPLACE "|" ";" assets "${FILES}")
-file(WRITE ${OUTPUT} "#include \"report/assets.h\"\n\nnamespace fissure::assets {\n\n")
+file(WRITE ${OUTPUT} "#include \"${HEADER}\"\n\nnamespace fissure::assets {\n\n")
 foreach(asset ${assets})
   string(REGEX MATCH "^([^=]+)=(.+)$" both "${asset}")
   set(name ${CMAKE_MATCH_1})
