@@ -24,6 +24,17 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
   return row_bytes * static_cast<double>(checked.steps + 1);
 }
 
+/// Of the tetrahedra at rest: three coordinates and an index a vertex, four indices a tetrahedron, packed.
+double volumeBytes(const Scene& scene) {
+  constexpr double packed_bytes = 5;
+  double bytes = 0;
+  for (const SceneBody& body : scene.bodies)
+    if (body.volume)
+      bytes += 32.0 * static_cast<double>(body.volume->mesh.vertices_m.size()) +
+               packed_bytes * static_cast<double>(body.volume->mesh.tetrahedra.size());
+  return bytes;
+}
+
 /// The checked scene as the pipeline has it.
 Scene sceneFor(const CheckedScenario& checked, const PipelineSettings& pipeline) {
   Scene scene = checked.prepared.scene;
@@ -53,7 +64,7 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
     const bool elastic = scene.bodies.at(0).volume.has_value();
     const double one =
         8.0 + (elastic ? 33.0 : 25.0) * scene.vertexCount() + 1.0 * scene.nodeCount() + 56.0 * clamps;
-    plan.snapshot_bytes = one * static_cast<double>(plan.snapshots);
+    plan.snapshot_bytes = one * static_cast<double>(plan.snapshots) + volumeBytes(scene);
   }
   if (scenario.record.frames) {
     plan.frames = dueCount(checked, scenario.record.frames->every_s);

@@ -6,13 +6,13 @@
 #include "base/steps.h"
 #include "mesh/check.h"
 #include "mesh/convex.h"
-#include "mesh/file_surface.h"
 #include "mesh/tetrahedra_check.h"
 #include "process/apart.h"
 #include "scene/build_scene.h"
 #include "scene/fixed_vertices.h"
 #include "scene/place.h"
 #include "text/did_you_mean.h"
+#include "volume/mesh_files.h"
 
 namespace fissure {
 
@@ -90,7 +90,7 @@ void noteSurface(const FileSurface& surface, const std::string& path, std::vecto
 /// What is wrong with the surfaces of a scenario, and what can be said about them besides.
 class SurfaceReport {
  public:
-  SurfaceReport(CheckedScenario& checked, const SurfaceFiles& files, std::string what, std::string expected,
+  SurfaceReport(CheckedScenario& checked, const MeshFiles& files, std::string what, std::string expected,
                 Spoils spoils)
       : checked_(checked),
         files_(files),
@@ -125,6 +125,11 @@ class SurfaceReport {
  private:
   std::vector<std::string> defectsOf(const SurfaceShape& shape, const std::string& path) {
     const std::filesystem::path& directory = checked_.loaded.scenario.directory;
+    if (const auto* volume = std::get_if<TetrahedraShape>(&shape)) {
+      for (const std::string& note : files_.volume(*volume).notes)
+        checked_.notes.push_back(path + ": " + note);
+      return spoiling(inspectSurface(makeSurface(shape, files_)), spoils_);
+    }
     const auto* from_file = std::get_if<FileShape>(&shape);
     if (!from_file) return spoiling(inspectSurface(makeSurface(shape)), spoils_);
     // Assimp may crash on a damaged file, or never end.
@@ -135,14 +140,14 @@ class SurfaceReport {
   }
 
   CheckedScenario& checked_;
-  const SurfaceFiles& files_;
+  const MeshFiles& files_;
   std::string what_, expected_;
   Spoils spoils_;
   std::string all_;
   std::vector<std::string> report_;
 };
 
-void checkBodies(CheckedScenario& checked, const SurfaceFiles& files) {
+void checkBodies(CheckedScenario& checked, const MeshFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
   SurfaceReport report(checked, files, "cannot be simulated", "expected a closed surface with outward faces",
                        spoilsBody);
@@ -186,7 +191,7 @@ void checkTool(const CheckedScenario& checked, const SceneTool& tool) {
   }
 }
 
-Scene sceneOf(const CheckedScenario& checked, const SurfaceFiles& files) {
+Scene sceneOf(const CheckedScenario& checked, const MeshFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
   const bool with_nodes = std::any_of(scenario.pipelines.begin(), scenario.pipelines.end(),
                                       [](const PipelineSettings& entry) { return entry.usesNodes(); });
@@ -197,7 +202,7 @@ Scene sceneOf(const CheckedScenario& checked, const SurfaceFiles& files) {
   }
 }
 
-void checkTools(CheckedScenario& checked, const SurfaceFiles& files) {
+void checkTools(CheckedScenario& checked, const MeshFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
   SurfaceReport report(checked, files, "cannot be used", "expected faces that agree about the outside",
                        spoilsTool);
@@ -212,15 +217,14 @@ void checkTools(CheckedScenario& checked, const SurfaceFiles& files) {
   report.finish();
 }
 
-/// Where a body names a material and says other numbers.
-void notePreset(const BodySettings& body, std::vector<std::string>& notes) {
-  if (!body.elastic.preset) return;
-  ElasticSettings preset = body.elastic;
+/// Where a body or one of its regions names a material and says other numbers.
+template <class Material>
+void notePreset(const std::string& path, const Material& material, std::vector<std::string>& notes) {
+  Material preset = material;
   applyPreset(preset);
-  if (preset != body.elastic)
-    notes.push_back("bodies." + body.name +
-                    ".elastic: modulus, ratio or density are given, and not those of preset " +
-                    *body.elastic.preset);
+  if (preset != material)
+    notes.push_back(path + ": modulus, ratio or density are given, and not those of preset " +
+                    *material.preset);
 }
 
 /// What a step of the elastic body costs, where there is one; notes what is odd about its volume.
@@ -234,7 +238,10 @@ std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
       throw InputError(inFile(checked.file), path + defect.text + ", expected a volume of sound tetrahedra");
     checked.notes.push_back(path + defect.text);
   }
-  notePreset(scenario.bodies[0], checked.notes);
+  const std::string elastic = "bodies." + body.name + ".elastic";
+  notePreset(elastic, scenario.bodies[0].elastic, checked.notes);
+  for (const ElasticRegion& region : scenario.bodies[0].elastic.regions)
+    notePreset(elastic + ".regions." + region.name, region, checked.notes);
   try {
     return planSubsteps(scenario.bodies[0], body, scenario.time.step_s);
   } catch (const InputError& error) {
@@ -256,7 +263,7 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   if (!selection.frames) scenario.record.frames.reset();
   if (!selection.expectations) scenario.expect.clear();
   checked.loaded.resolved = toYaml(scenario);
-  const SurfaceFiles files(scenario.directory);
+  const MeshFiles files(scenario.directory);
   checkBodies(checked, files);
   checkTools(checked, files);
   PreparedScenario& prepared = checked.prepared;

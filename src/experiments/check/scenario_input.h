@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "base/error.h"
-#include "explicit/substep_plan.h"
 #include "scenario/load.h"
 #include "scene/prepared_scenario.h"
+#include "stepping/substep_plan.h"
 
 namespace fissure {
 

@@ -100,7 +100,7 @@ h5::Id GroupBuilder::creationProperties(const DatasetSpec& spec, Packing packing
     h5::check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &missing), doing, spec.name);
   }
   const auto grows = [](const Dimension& dimension) { return dimension.grows; };
-  if (std::any_of(spec.dimensions.begin(), spec.dimensions.end(), grows)) {
+  if (packing != Packing::none || std::any_of(spec.dimensions.begin(), spec.dimensions.end(), grows)) {
     std::vector<hsize_t> chunk;
     for (const Dimension& dimension : spec.dimensions)
       chunk.push_back(std::max<hsize_t>(1, dimension.length));
@@ -189,6 +189,12 @@ void GroupBuilder::addFixed(const DatasetSpec& spec, const std::vector<Vec3>& va
   std::vector<double> numbers;
   for (const Vec3& value : values) numbers.insert(numbers.end(), value.data(), value.data() + 3);
   addFixed(spec, numbers);
+}
+
+void GroupBuilder::addFixedPacked(const DatasetSpec& spec, const std::vector<std::int64_t>& values) {
+  const h5::Id dataset = create(spec, nativeType(spec.type), Packing::shuffle_and_deflate);
+  h5::check(H5Dwrite(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()),
+            "cannot write dataset", spec.name);
 }
 
 std::vector<std::string> dimensionNames(hid_t dataset) {

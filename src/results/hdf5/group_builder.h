@@ -72,6 +72,8 @@ class GroupBuilder {
   void addFixed(const DatasetSpec& spec, const std::vector<double>& values);
   /// `spec` has the axes (n, xyz).
   void addFixed(const DatasetSpec& spec, const std::vector<Vec3>& values);
+  /// As addFixed() of whole numbers, at least one, in one chunk, shuffled and deflated.
+  void addFixedPacked(const DatasetSpec& spec, const std::vector<std::int64_t>& values);
   /// One frame a chunk, deflated; uint8.
   GrowingDataset addPictures(const DatasetSpec& spec);
   /// Numbers, a chunk shuffled and deflated.

@@ -108,6 +108,7 @@ void PartFile::makeDatasets(const PartHeader& header) {
   if (record.snapshots_every_s) {
     snapshots_.emplace(group, header.scene, expectedSnapshots(header));
     addBodies(group, header.scene);
+    addVolumes(group, header.scene);
     addHandles(group, header.scene);
   }
   if (record.snapshots_every_s || header.scene.nodeCount() > 0) addTools(group, header.scene);

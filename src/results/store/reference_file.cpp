@@ -14,8 +14,8 @@ namespace fissure {
 namespace {
 
 // Inputs of force laws: a few of the steps would be of no use, and what the laws make of them is in the
-// series.
-const std::set<std::string> left_out_groups = {"timing", "frame_images", "vtk", "force_inputs"};
+// series. Volumes are large, and what comes of them is in the series too.
+const std::set<std::string> left_out_groups = {"timing", "frame_images", "vtk", "force_inputs", "volumes"};
 const std::set<std::string> picture_axes = {"frame_time", "image_x", "image_y", "channel"};
 constexpr hsize_t kContiguousBytes = 2048;  // smaller datasets gain nothing from compression
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <stdexcept>
 
 namespace fissure {
@@ -41,6 +43,45 @@ void addSurface(GroupBuilder& group, const TriangleMesh& surface, const std::str
   group.addFixed({"vertices", "m", vertices_long_name, ValueType::real, {{"vertex", count}, {"xyz", 3}}},
                  surface.vertices_m);
   addFaces(group, cornersOf(surface.faces, 0));
+}
+
+void addVolume(GroupBuilder& group, const SceneVolume& volume) {
+  const std::vector<Vec3>& vertices_m = volume.mesh.vertices_m;
+  const std::vector<Tetrahedron>& tetrahedra = volume.mesh.tetrahedra;
+  const Dimension vertex{"vertex", vertices_m.size()}, tetrahedron{"tetrahedron", tetrahedra.size()};
+  group.addIndex("vertex", vertex.length);
+  group.addLabels("xyz", xyz);
+  group.addFixed({"vertices",
+                  "m",
+                  "vertices of the body at rest, those of its surface first, scene frame",
+                  ValueType::real,
+                  {vertex, {"xyz", 3}}},
+                 vertices_m);
+  std::vector<std::int64_t> corners;
+  for (const Tetrahedron& one : tetrahedra) corners.insert(corners.end(), one.begin(), one.end());
+  std::vector<std::int64_t> numbers(tetrahedra.size());
+  std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
+  group.addFixedPacked({"tetrahedron", "1", "index of each tetrahedron", ValueType::count, {tetrahedron}},
+                       numbers);
+  group.addIndex("corner", 4);
+  group.addFixedPacked({"tetrahedra",
+                        "1",
+                        "vertices of each tetrahedron, the first three counter-clockwise seen from the last",
+                        ValueType::count,
+                        {tetrahedron, {"corner", 4}}},
+                       corners);
+  if (!volume.regions.empty())
+    group.addFixedPacked({"region",
+                          "1",
+                          "of each tetrahedron: 0, or 1 + the index of its region in the scenario",
+                          ValueType::count,
+                          {tetrahedron}},
+                         std::vector<std::int64_t>(volume.regions.begin(), volume.regions.end()));
+  if (volume.fixed_vertices.empty()) return;
+  const Dimension fixed{"fixed_vertex", volume.fixed_vertices.size()};
+  group.addIndex("fixed_vertex", fixed.length);
+  group.addFixed({"fixed_vertices", "1", "vertices that never move, ascending", ValueType::count, {fixed}},
+                 std::vector<std::int64_t>(volume.fixed_vertices.begin(), volume.fixed_vertices.end()));
 }
 
 void addNodes(GroupBuilder& group, const ToolNodes& nodes) {
@@ -82,6 +123,16 @@ void addBodies(GroupBuilder& group, const Scene& scene) {
   group.addFixed({"first_vertex", "1", "first vertex of each body", ValueType::count, {body}},
                  first_vertices);
   group.addFixed({"first_face", "1", "first face of each body", ValueType::count, {body}}, first_faces);
+}
+
+void addVolumes(GroupBuilder& group, const Scene& scene) {
+  std::optional<GroupBuilder> volumes;
+  for (const SceneBody& body : scene.bodies) {
+    if (!body.volume) continue;
+    if (!volumes) volumes.emplace(group.id(), "volumes");
+    GroupBuilder own(volumes->id(), body.name);
+    addVolume(own, *body.volume);
+  }
 }
 
 void addTools(GroupBuilder& group, const Scene& scene) {

@@ -14,6 +14,12 @@ namespace fissure {
 /// first_face(body). Datasets `vertex`, `faces` and so on in `group`.
 void addBodies(GroupBuilder& group, const Scene& scene);
 
+/// volumes/<body> of each elastic body, as placed at time zero, in the scene's frame: vertices(vertex,xyz),
+/// whose first are those of the body's surface in its order; tetrahedra(tetrahedron,corner) of them, seen
+/// from the last corner the others run counter-clockwise; fixed_vertices(fixed_vertex) and
+/// region(tetrahedron) where there are any.
+void addVolumes(GroupBuilder& group, const Scene& scene);
+
 /// tools/<tool>: the surface and the nodes of each tool, in the tool's frame; first_node(tool) in `group`
 /// itself when the scene has nodes. A node without partner has node_partner -1 and a missing (NaN) thickness.
 void addTools(GroupBuilder& group, const Scene& scene);

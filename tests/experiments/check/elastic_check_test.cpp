@@ -3,17 +3,18 @@
 
 #include <string>
 
+#include "check/run_plan.h"
 #include "check/scenario_input.h"
 
 namespace fissure::elastic_check_test {
 
 namespace {
 
-CheckedScenario checked(const std::string& elastic) {
+CheckedScenario checked(const std::string& elastic, const std::string& more = "") {
   const std::string text =
       "format: 1\nname: s\ntime: {duration_s: 1, step_s: 0.001}\nbodies:\n"
       "  - {name: ball, shape: {type: sphere, radius_m: 0.03, subdivisions: 2}, model: elastic, elastic: {" +
-      elastic + "}}\npipelines:\n  - {pipeline: swept}\n";
+      elastic + "}}\npipelines:\n  - {pipeline: swept}\n" + more;
   return checkLoaded("s.yaml", parseScenario(text, "s.yaml"), {});
 }
 
@@ -27,6 +28,16 @@ TEST(ElasticCheck, SaysWhatAStepCosts) {
   EXPECT_NEAR(stiff.substeps->critical_step_s, soft.substeps->critical_step_s / 100,
               1e-6 * soft.substeps->critical_step_s);
   EXPECT_GT(stiff.substeps->substeps, 10);
+}
+
+// 129 vertices, 128 triangles on 66 of them; the result holds the volume once, beside the snapshots.
+TEST(ElasticCheck, CountsTheVolumeThatIsStoredBesideSnapshots) {
+  const CheckedScenario with = checked("viscosity_Pa_s: 1", "record: {snapshots_every_s: 0.1}\n");
+  const RunPlan plan = planRuns(with).at(0);
+  const double snapshot_bytes = 8 + 33 * 66;
+  ASSERT_EQ(plan.snapshots, 11);
+  EXPECT_NEAR(plan.snapshot_bytes - 11 * snapshot_bytes, 129 * 32 + 512 * 5, 1);
+  EXPECT_EQ(planRuns(checked("viscosity_Pa_s: 1")).at(0).snapshot_bytes, 0);
 }
 
 TEST(ElasticCheck, RefusesMoreSubstepsThanAreAffordable) {

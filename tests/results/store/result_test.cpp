@@ -7,6 +7,7 @@
 #include "sample_run.h"
 #include "store/force_inputs.h"
 #include "store/read_series.h"
+#include "store/reference_file.h"
 #include "store/result_file.h"
 
 namespace fissure::result_test {
@@ -131,6 +132,34 @@ TEST(Result, HoldsOnlyWhatTheScenarioAskedFor) {
       EXPECT_EQ(dataset.path.find(unasked), std::string::npos) << dataset.path;
     }
   }
+}
+
+// What another finite-element program needs to be given the same problem. References leave it out.
+TEST(Result, HoldsTheTetrahedraOfElasticBodiesBesideTheirSurfaces) {
+  const TemporaryFolder folder;
+  SampleRun run = makeSampleRun(4, false);
+  run.scenario.record.snapshots_every_s = 1.0;
+  SceneBody& kidney = run.scene.bodies[1];
+  TetrahedralMesh mesh{kidney.rest.vertices_m, {{0, 1, 2, 4}, {0, 3, 1, 4}, {1, 3, 2, 4}, {2, 3, 0, 4}}};
+  mesh.vertices_m.emplace_back(5.2, 0.3, 0.1);
+  kidney.volume = SceneVolume{mesh, {1, 4}, {0, 2, 0, 1}};
+  const auto path = folder / "sample.h5", reference = folder / "reference.h5";
+  assembleResult(path, loadedSample(run), kProvenance, writeParts(folder, run));
+  const std::string group = "/pipelines/default/volumes/kidney/";
+  const SeriesData vertices = readSeries(path, group + "vertices");
+  ASSERT_EQ(vertices.shape, (std::vector<std::size_t>{5, 3}));
+  for (std::size_t v = 0; v < 5; ++v)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(vertices.values[3 * v + axis], mesh.vertices_m[v][static_cast<int>(axis)]);
+  const SeriesData tetrahedra = readSeries(path, group + "tetrahedra");
+  ASSERT_EQ(tetrahedra.shape, (std::vector<std::size_t>{4, 4}));
+  for (std::size_t i = 0; i < 16; ++i) EXPECT_EQ(tetrahedra.values[i], mesh.tetrahedra[i / 4][i % 4]) << i;
+  EXPECT_EQ(readSeries(path, group + "fixed_vertices").values, (std::vector<double>{1, 4}));
+  EXPECT_EQ(readSeries(path, group + "region").values, (std::vector<double>{0, 2, 0, 1}));
+  EXPECT_THROW(readSeries(path, "/pipelines/default/volumes/liver/vertices"), InputError) << "a shell";
+  writeReference(reference, path);
+  for (const DatasetInfo& dataset : readResultInfo(reference).datasets)
+    EXPECT_EQ(dataset.path.find("volumes"), std::string::npos) << dataset.path;
 }
 
 TEST(Result, InputsOfForceLawsAreReadBackOrNamedAsMissing) {
