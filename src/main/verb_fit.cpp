@@ -8,6 +8,7 @@
 #include "fit/simulated_model.h"
 #include "main/comparison.h"
 #include "main/exit_codes.h"
+#include "main/fit_modulus.h"
 #include "main/fit_output.h"
 #include "main/fit_ranking.h"
 #include "main/result_json.h"
@@ -28,6 +29,8 @@ struct FitOptions {
   std::string free;
   std::vector<std::string> fixed;
   std::string result, sweep, match;
+  std::vector<std::string> modulus;
+  std::optional<double> most_depth_m;
   std::size_t best = 20;
   bool together = false, json = false;
 };
@@ -217,6 +220,9 @@ int fit(const FitOptions& options) {
   if (!options.match.empty() && options.result.empty() && options.sweep.empty())
     throw InputError("--match " + options.match + ": nothing is simulated, expected --result or --sweep too");
   const std::vector<MeasuredCurve> curves = readAll(options);
+  if (!options.modulus.empty())
+    return fitModuli({options.modulus, options.free, options.fixed, options.most_depth_m, options.json},
+                     curves);
   return options.sweep.empty() ? fitCurves(options, curves) : rankRuns(options, curves);
 }
 
@@ -230,14 +236,16 @@ Verb addFit(Command app) {
       .notEmpty();
   command.option(
       "--columns", options->columns,
-      "what the columns are: depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe; by name or "
+      "what the columns are: "
+      "depth=d:mm,force=3:N,time=t_ms,sigma=s_N,weight=w,curve=probe,lower_quartile=q1, "
+      "upper_quartile=q3; by name or "
       "number, units m, mm, N, mN, s, ms or a factor (default: by their names, as depth_mm, force_N, "
       "time_s)");
   const Option law = command.option("--law", options->law, lawChoices()).showDefault();
   const Option free = command.option(
       "--free", options->free,
       "what is fitted, as k,n,F0 (default: all of the law's coefficients and F0 that are not fixed); F0 "
-      "and the damping are 0 else");
+      "and the damping are 0 else; with --modulus of E, F0 and d0 (default: E,F0)");
   command.option("--fix", options->fixed, "COEFFICIENT=NUMBER: not fitted; may be repeated").repeated();
   const Option result = command.option(
       "--result", options->result,
@@ -248,12 +256,27 @@ Verb addFit(Command app) {
                            .without(result)
                            .without(law)
                            .without(free);
+  const Option modulus =
+      command
+          .option("--modulus", options->modulus,
+                  "RESULT[:RUN]: Young's modulus E of an elastic body, whose force f(d) this slow press "
+                  "simulated at E0, as F = E/E0 f(d + d0) + F0; repeated, results are ranked by their misfit")
+          .repeated()
+          .without(law)
+          .without(result)
+          .without(sweep);
+  command
+      .option("--most-depth", options->most_depth_m,
+              "with --modulus: deeper points (m) are not fitted but predicted, beside what was measured")
+      .between(1e-6, 10.0)
+      .needs(modulus);
   command
       .option("--match", options->match,
               "what a curve and a simulation have in common: depth (way of the tool since first "
               "contact, until it is "
               "deepest) or time (default: depth, where the curve has depths)")
-      .oneOf({"depth", "time"});
+      .oneOf({"depth", "time"})
+      .without(modulus);
   command.option("--best", options->best, "how many runs of a sweep are shown").showDefault().needs(sweep);
   command.flag("--together", options->together, "one law for the points of all curves");
   command.flag("--json", options->json, "the fits for machines");

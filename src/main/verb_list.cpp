@@ -34,7 +34,7 @@ std::string defaultsOf(const ForceLawEntry& law) {
 int listCatalog() {
   const Catalog& tables = catalog();
   using Table = std::pair<std::string_view, const std::vector<CatalogEntry>&>;
-  const std::array<Table, 26> named = {{{"pipelines", tables.pipelines},
+  const std::array<Table, 27> named = {{{"pipelines", tables.pipelines},
                                         {"force laws", tables.force_laws},
                                         {tissues_title, tables.tissues},
                                         {"body models", tables.body_models},
@@ -50,6 +50,7 @@ int listCatalog() {
                                         {"log layouts", tables.log_layouts},
                                         {"device frames", tables.device_frames},
                                         {"settings", tables.settings},
+                                        {"deformable contacts", tables.deformable_contacts},
                                         {"responses", tables.responses},
                                         {"ground contacts", tables.ground_contacts},
                                         {"precisions", tables.precisions},

@@ -62,6 +62,20 @@ void printElastic(const BodySettings& body, const SubstepPlan& plan) {
             << (plan.substeps == 1 ? " substep" : " substeps")
             << " a step at rest: the fastest vibration of the mesh allows "
             << fourDigits(1e3 * plan.critical_step_s) << " ms; stretched elements need more\n";
+  if (4 * plan.substeps_without_stiffest <= 3 * plan.substeps)
+    std::cout << "    " << plan.stiffest << (plan.stiffest == 1 ? " tetrahedron sets" : " tetrahedra set")
+              << " this, the stiffest at (" << fourDigits(plan.stiffest_m.x()) << ", "
+              << fourDigits(plan.stiffest_m.y()) << ", " << fourDigits(plan.stiffest_m.z())
+              << ") m: without them " << plan.substeps_without_stiffest
+              << (plan.substeps_without_stiffest == 1 ? " substep\n" : " substeps\n");
+  for (std::size_t r = 0; r < plan.regions.size(); ++r) {
+    const ElasticSettings region = elastic.materialOf(elastic.regions[r]);
+    std::cout << "    region " << elastic.regions[r].name << ": E " << region.youngs_modulus_Pa << " Pa, nu "
+              << region.poissons_ratio << ", " << region.density_kg_m3 << " kg/m3; "
+              << plan.regions[r].tetrahedra
+              << (plan.regions[r].tetrahedra == 1 ? " tetrahedron" : " tetrahedra")
+              << ", which alone would allow " << fourDigits(1e3 * plan.regions[r].critical_step_s) << " ms\n";
+  }
 }
 
 void printScene(const CheckedScenario& checked) {

@@ -79,6 +79,35 @@ TEST(BadRelation, AGaugeThatHoldsNothing) {
     expectRefused(runFissure(folder, {verb, "s.yaml"}), "bodies.sphere.gauges.far holds no vertex");
 }
 
+TEST(BadRelation, RegionsOfAnElasticBody) {
+  const Folder folder;
+  const std::string of_shell =
+      "    mass_kg: 0.1\n"
+      "    material: {linear_stiffness: 0.5}\n"
+      "    solver: {pose_matching: 0.02, damping: 0.01, dynamic_friction: 0.5, position_iterations: 10}\n";
+  const auto text = [&](const std::string& region) {
+    return with(pressScenario("[{pipeline: swept}]"), of_shell,
+                "    model: elastic\n    elastic: {regions: [{name: vessel, " + region + "}]}\n");
+  };
+  folder.write("none.yaml", text("box: {min_m: [1, 1, 1], max_m: [2, 2, 2]}"));
+  for (const char* verb : {"run", "validate"})
+    expectRefused(runFissure(folder, {verb, "none.yaml"}),
+                  "bodies.sphere.elastic.regions.vessel holds no tetrahedron");
+  folder.write("tag.yaml", text("tag: 2"));
+  expectRefused(runFissure(folder, {"plan", "tag.yaml"}),
+                "bodies.sphere.elastic.regions.vessel.tag: the tetrahedra of the body's shape have no tags");
+  folder.write("where.yaml", text("youngs_modulus_Pa: 1000"));
+  expectRefused(
+      runFissure(folder, {"run", "where.yaml"}),
+      "where.yaml:11: bodies.sphere.elastic.regions.vessel expected exactly one of tag, box and capsule");
+  folder.write("ratio.yaml", text("poissons_ratio: 0.5, capsule: {from_m: [0, 0, 0], to_m: [0, 0, 0.01], "
+                                  "radius_m: 0.01}"));
+  expectRefused(runFissure(folder, {"run", "ratio.yaml"}),
+                "ratio.yaml:11: bodies.sphere.elastic.regions.vessel.poissons_ratio is 0.5");
+  folder.write("material.yaml", text("material: neo_hookean"));
+  expectRefused(runFissure(folder, {"run", "material.yaml"}), "material.yaml:11: unknown key \"material\"");
+}
+
 TEST(BadRelation, FrictionWithoutAForce) {
   const Folder folder;
   folder.write("s.yaml", with(pressScenario("[{pipeline: raycast}]"), "nodes:", "friction: 0.3\n    nodes:"));

@@ -307,5 +307,36 @@ TEST(Mesh, DamagedFilesAreRefusedOrGood) {
   }
 }
 
+// The physical groups of a Gmsh file become regions: two tetrahedra, of the groups 7 and 9.
+TEST(Mesh, TagsOfTetrahedraAreRegions) {
+  const Folder folder;
+  folder.write("organ.msh",
+               "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n5\n1 0 0 0\n2 10 0 0\n3 0 10 0\n4 0 0 10\n"
+               "5 10 10 10\n$EndNodes\n$Elements\n2\n1 4 2 7 1 1 2 3 4\n2 4 2 9 2 2 3 4 5\n$EndElements\n");
+  const std::string of_shell =
+      "    mass_kg: 0.1\n"
+      "    material: {linear_stiffness: 0.5}\n"
+      "    solver: {pose_matching: 0.02, damping: 0.01, dynamic_friction: 0.5, position_iterations: 10}\n";
+  const auto text = [&](const std::string& tag) {
+    return with(with(pressScenario("[{pipeline: swept}]"), of_shell,
+                     "    model: elastic\n    elastic: {regions: [{name: vessel, tag: " + tag +
+                         ", preset: vessel_wall}]}\n"),
+                "{type: sphere, radius_m: 0.03, subdivisions: 1}",
+                "{type: tetrahedra, file: organ.msh, unit: mm}");
+  };
+  folder.write("s.yaml", text("9"));
+  const Outcome plan = runFissure(folder, {"plan", "s.yaml"});
+  EXPECT_EQ(plan.code, 0) << plan.err;
+  EXPECT_NE(plan.out.find(
+                "region vessel: E 626000 Pa, nu 0.49, 1050 kg/m3; 1 tetrahedron, which alone would allow"),
+            std::string::npos)
+      << plan.out;
+  folder.write("none.yaml", text("8"));
+  const Outcome none = runFissure(folder, {"validate", "none.yaml"});
+  EXPECT_EQ(none.code, 2);
+  EXPECT_NE(none.err.find("bodies.sphere.elastic.regions.vessel holds no tetrahedron"), std::string::npos)
+      << none.err;
+}
+
 }  // namespace
 }  // namespace fissure::programs::mesh_test

@@ -187,13 +187,14 @@ TEST(Run, SinglePrecisionKeepsTheTissuesSize) {
 TEST(Run, BothEnginesHaveEveryPipelineAndStoreItsDescription) {
   const Folder folder;
   std::string entries;
-  std::vector<const PipelineTraits*> expected;
+  std::vector<std::pair<const PipelineTraits*, std::string_view>> expected;
   for (const CatalogEntry& precision : catalog().precisions) {
     for (const PipelineTraits& pipeline : pipeline_table) {
+      if (pipeline.detection == ContactDetection::volume) continue;  // of no shell
       const std::string name = std::string(pipeline.name) + "_" + std::string(precision.name);
       entries += (entries.empty() ? "" : ", ") + ("{name: " + name) + ", pipeline: \"" +
                  std::string(pipeline.name) + "\", precision: " + std::string(precision.name) + "}";
-      expected.push_back(&pipeline);
+      expected.emplace_back(&pipeline, precision.name);
     }
   }
   folder.write("s.yaml", pressScenario("[" + entries + "]", "0.005"));
@@ -204,9 +205,9 @@ TEST(Run, BothEnginesHaveEveryPipelineAndStoreItsDescription) {
   ASSERT_EQ(info.pipelines.size(), expected.size());
   for (std::size_t i = 0; i < expected.size(); ++i) {
     const PipelineResult& result = info.pipelines[i];
-    EXPECT_EQ(result.pipeline, expected[i]->name);
-    EXPECT_EQ(result.description, expected[i]->description);
-    EXPECT_EQ(result.precision, catalog().precisions[i / pipeline_table.size()].name);
+    EXPECT_EQ(result.pipeline, expected[i].first->name);
+    EXPECT_EQ(result.description, expected[i].first->description);
+    EXPECT_EQ(result.precision, expected[i].second);
     const std::string planned =
         "run " + result.name + " (" + result.pipeline + ", " + result.precision + ", at most";
     EXPECT_NE(plan.out.find(planned), std::string::npos) << planned << "\n" << plan.out;

@@ -31,7 +31,24 @@ TEST_F(Walk, NothingInAFullResultLacksUnitsOrAxes) {
   ASSERT_EQ(runFissure(folder_, {"run", "full.yaml", "-o", "full.h5"}).code, 0);
   folder_.write("bare.yaml", pressScenario());
   ASSERT_EQ(runFissure(folder_, {"run", "bare.yaml", "-o", "bare.h5"}).code, 0);
-  const Outcome outcome = walk({"full.h5", "bare.h5"});
+  folder_.write(
+      "elastic.yaml",
+      "format: 1\n"
+      "name: elastic\n"
+      "time: {step_s: 0.001}\n"
+      "world: {gravity_m_s2: [0, 0, 0]}\n"
+      "bodies:\n"
+      "  - {name: block, model: elastic, shape: {type: box, size_m: [0.02, 0.02, 0.02], cells: [2, 2, 2]},\n"
+      "     elastic: {viscosity_Pa_s: 5}, fixed: [{below_m: -0.009}]}\n"
+      "tools:\n"
+      "  - name: plate\n"
+      "    shape: {type: box, size_m: [0.04, 0.002, 0.04]}\n"
+      "    motion: {type: script, start_m: [0, 0.012, 0], segments: [{move_to_m: [0, 0.01, 0], "
+      "speed_m_s: 0.2}]}\n"
+      "pipelines: [{pipeline: swept}, {pipeline: prescribed}]\n"
+      "record: {snapshots_every_s: 0.005}\n");
+  ASSERT_EQ(runFissure(folder_, {"run", "elastic.yaml", "-o", "elastic.h5"}).code, 0);
+  const Outcome outcome = walk({"full.h5", "bare.h5", "elastic.h5"});
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
 }
 

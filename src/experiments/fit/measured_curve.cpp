@@ -27,14 +27,16 @@ struct RoleInfo {
   std::map<std::string_view, double> units;
 };
 
-const std::array<RoleInfo, 6>& roles() {
-  static const std::array<RoleInfo, 6> all = {
+const std::array<RoleInfo, 8>& roles() {
+  static const std::array<RoleInfo, 8> all = {
       {{CurveRole::depth, "depth", {"depth"}, {{"m", 1}, {"mm", 1e-3}}},
        {CurveRole::force, "force", {"force"}, {{"N", 1}, {"mN", 1e-3}}},
        {CurveRole::time, "time", {"time", "t"}, {{"s", 1}, {"ms", 1e-3}}},
        {CurveRole::sigma, "sigma", {"sigma"}, {{"N", 1}, {"mN", 1e-3}}},
        {CurveRole::weight, "weight", {"weight"}, {}},
-       {CurveRole::curve, "curve", {"curve", "probe"}, {}}}};
+       {CurveRole::curve, "curve", {"curve", "probe"}, {}},
+       {CurveRole::lower_quartile, "lower_quartile", {"lower_quartile"}, {{"N", 1}, {"mN", 1e-3}}},
+       {CurveRole::upper_quartile, "upper_quartile", {"upper_quartile"}, {{"N", 1}, {"mN", 1e-3}}}}};
   return all;
 }
 
@@ -80,7 +82,8 @@ CurveColumn parseColumn(const std::string& item) {
                                  [&](const RoleInfo& info) { return info.name == item.substr(0, equals); });
   if (equals == std::string::npos || equals + 1 == item.size() || role == roles().end())
     throw InputError("--columns " + item +
-                     ": expected ROLE=COLUMN[:UNIT] with a role of depth, force, time, sigma, weight, curve");
+                     ": expected ROLE=COLUMN[:UNIT] with a role of depth, force, time, sigma, weight, curve, "
+                     "lower_quartile, upper_quartile");
   CurveColumn column{role->role, item.substr(equals + 1), std::nullopt};
   const std::size_t colon = column.column.rfind(':');
   if (colon == std::string::npos) return column;
@@ -147,6 +150,8 @@ class CurveReader {
       if (!columns_.contains(info.role)) findByName(info);
     if (columns_.contains(CurveRole::sigma) && columns_.contains(CurveRole::weight))
       throw fileError("both a sigma and a weight", "one of them");
+    if (columns_.contains(CurveRole::lower_quartile) != columns_.contains(CurveRole::upper_quartile))
+      throw fileError("one quartile alone", "a lower_quartile and an upper_quartile");
     if (!columns_.contains(CurveRole::force)) throw fileError("no column of forces", missing("force=F:N"));
     if (!columns_.contains(CurveRole::depth) && !columns_.contains(CurveRole::time))
       throw fileError("neither depths nor times", missing("depth=d:mm"));
@@ -283,6 +288,17 @@ class CurveReader {
     if (columns_.contains(CurveRole::time)) curve.time_s.push_back(time_s);
     curve.force_N.push_back(force_N);
     curve.weights.push_back(weight);
+    takeQuartiles(curve);
+  }
+
+  void takeQuartiles(MeasuredCurve& curve) const {
+    if (!columns_.contains(CurveRole::lower_quartile)) return;
+    const double lower_N = number(CurveRole::lower_quartile), upper_N = number(CurveRole::upper_quartile);
+    if (lower_N > upper_N)
+      throw InputError(inFile(table_.fileName(), table_.line()),
+                       "a lower quartile above the upper one, expected it below");
+    curve.lower_quartile_N.push_back(lower_N);
+    curve.upper_quartile_N.push_back(upper_N);
   }
 
   static void warnOutside(double value, double least, double most, const std::string& what,
@@ -334,7 +350,8 @@ std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
 MeasuredCurve pointsOf(const MeasuredCurve& curve, const std::vector<std::size_t>& points) {
   MeasuredCurve kept = curve;
   for (std::vector<double>* values :
-       {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.rate_noise_m_s, &kept.weights}) {
+       {&kept.depth_m, &kept.force_N, &kept.time_s, &kept.rate_m_s, &kept.rate_noise_m_s, &kept.weights,
+        &kept.lower_quartile_N, &kept.upper_quartile_N}) {
     if (values->empty()) continue;
     std::vector<double> chosen;
     chosen.reserve(points.size());

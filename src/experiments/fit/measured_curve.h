@@ -9,7 +9,7 @@
 namespace fissure {
 
 /// What a column of a file of measured curves means.
-enum class CurveRole { depth, force, time, sigma, weight, curve };
+enum class CurveRole { depth, force, time, sigma, weight, curve, lower_quartile, upper_quartile };
 
 /// Where one of them is found.
 struct CurveColumn {
@@ -34,6 +34,9 @@ struct MeasuredCurve {
   std::vector<double> rate_m_s;        ///< of the depth, by ratesOf() over all rows with numbers
   std::vector<double> rate_noise_m_s;  ///< what noise of the depths makes of it, by rateNoiseOf()
   std::vector<double> weights;         ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
+  /// Of the force between probes of which force_N is the median; NaN where the file leaves them out. Beside
+  /// fits, never in them.
+  std::vector<double> lower_quartile_N, upper_quartile_N;
 
   std::optional<CurveRole> weighted_by;  ///< sigma or weight; nothing: all weights are 1
 
@@ -43,9 +46,9 @@ struct MeasuredCurve {
 };
 
 /// The curves of a file (see DelimitedText), in the order of their first rows. `columns` without a depth,
-/// force, time, sigma, weight or curve are found by name: "depth", "force", "time" or "t", "sigma",
-/// "weight", "curve" or "probe", followed by a unit as in "depth_mm", "depth [mm]". A force and a depth or a
-/// time are needed. Throws InputError with file and line.
+/// force, time, sigma, weight, curve or quartiles are found by name: "depth", "force", "time" or "t",
+/// "sigma", "weight", "curve" or "probe", "lower_quartile" and "upper_quartile", followed by a unit as in
+/// "depth_mm", "depth [mm]". A force and a depth or a time are needed. Throws InputError with file and line.
 std::vector<MeasuredCurve> readCurves(const std::filesystem::path& file,
                                       const std::vector<CurveColumn>& columns);
 

@@ -146,6 +146,8 @@ std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run,
          " m/s in the simulation, whose count: expected a simulation as fast, or --match time";
 }
 
+}  // namespace
+
 std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
   if (info.pipelines.size() == 1) return info.pipelines.front().name;
   std::string names;
@@ -153,8 +155,6 @@ std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
   throw InputError(inFile(file), std::to_string(info.pipelines.size()) + " runs (" + names +
                                      "), expected FILE:NAME to choose one");
 }
-
-}  // namespace
 
 SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::string& run) {
   const ResultInfo info = readResultInfo(file);

@@ -9,6 +9,7 @@
 #include "fit/match_by.h"
 #include "scenario/forces.h"
 #include "store/force_inputs.h"
+#include "store/result_file.h"
 
 namespace fissure {
 
@@ -19,6 +20,9 @@ struct SimulatedRun {
   /// Way of the first tool since the first step in which it met tissue, straight; 0 before. One a step.
   std::vector<double> way_m;
 };
+
+/// The name of the only run of a result. Throws InputError where it has several.
+std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file);
 
 /// Reads a run of a result, the only one for an empty name. Throws InputError when there is no such run, or
 /// it was not recorded with `record: {force_inputs: true}`.

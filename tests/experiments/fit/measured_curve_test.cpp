@@ -184,14 +184,30 @@ TEST(MeasuredCurve, SaysInOneLineWhatIsWrong) {
       "depth's sign turned? a factor of -0.001 makes it metres)");
 }
 
+TEST(MeasuredCurve, QuartilesStandBesideTheirPoints) {
+  const MeasuredCurve curve =
+      curvesOf("depth_mm,force_N,lower_quartile_N,q3\n2,0.2,0.15,270\n1,0.1,,120\n-1,0,0,1\n",
+               "upper_quartile=q3:mN")[0];
+  ASSERT_EQ(curve.lower_quartile_N.size(), 2u);
+  EXPECT_TRUE(std::isnan(curve.lower_quartile_N[0]));
+  EXPECT_DOUBLE_EQ(curve.upper_quartile_N[0], 0.12);
+  EXPECT_DOUBLE_EQ(curve.lower_quartile_N[1], 0.15);
+  EXPECT_DOUBLE_EQ(curve.upper_quartile_N[1], 0.27);
+  EXPECT_TRUE(curvesOf("depth_mm,force_N\n1,0.1\n")[0].lower_quartile_N.empty());
+  EXPECT_EQ(curveError("depth_mm,force_N,lower_quartile_N\n1,0.1,0\n"),
+            "probe.csv:1: one quartile alone, expected a lower_quartile and an upper_quartile");
+  EXPECT_EQ(curveError("depth_mm,force_N,lower_quartile_N,upper_quartile_N\n1,0.1,0.2,0.1\n"),
+            "probe.csv:2: a lower quartile above the upper one, expected it below");
+}
+
 TEST(MeasuredCurve, RefusesColumnsThatMakeNoSense) {
   const auto error = [](const std::string& columns) { return curveError("a,b\n1,1\n", columns); };
   EXPECT_EQ(error("deep=a"),
             "--columns deep=a: expected ROLE=COLUMN[:UNIT] with a role of depth, force, time, sigma, weight, "
-            "curve");
+            "curve, lower_quartile, upper_quartile");
   EXPECT_EQ(error("depth="),
             "--columns depth=: expected ROLE=COLUMN[:UNIT] with a role of depth, force, time, sigma, weight, "
-            "curve");
+            "curve, lower_quartile, upper_quartile");
   EXPECT_EQ(error("depth=a:N"),
             "--columns depth=a:N: \"N\" is no unit of a depth, expected m or mm or a factor");
   EXPECT_EQ(error("depth=a:0"),
