@@ -6,6 +6,7 @@
 #include "batch.h"
 #include "cases.h"
 #include "engine/simulation.h"
+#include "explicit/elastic_simulation.h"
 #include "motion/motion.h"
 #include "scene/build_scene.h"
 
@@ -17,7 +18,14 @@ constexpr int kSteps = 200;
 
 /// Steps from time zero to just before the first contact in any of the scenario's pipelines, on any mesh.
 int stepsBeforeContact(const std::string& scenario) {
-  return scenario == "plate_press" ? 33 : 54;
+  if (scenario == "plate_press") return 33;
+  return scenario == "elastic_press" ? 30 : 54;
+}
+
+std::unique_ptr<Simulation> makeWorld(const Scenario& scenario, const PipelineSettings& pipeline,
+                                      const Scene& scene, const std::vector<Pose>& first_poses) {
+  return scenario.bodies[0].isElastic() ? makeElasticSimulation(scenario, pipeline, scene, first_poses)
+                                        : makeSimulation(scenario, pipeline, scene, first_poses);
 }
 
 /// Totals of a simulation, which grow with its steps.
@@ -51,7 +59,7 @@ double measureSteps(benchmark::State& out, const Scenario& scenario, const Pipel
     for (const auto& motion : motions) poses.push_back(motion->poseAt(step * scenario.time.step_s));
     return poses;
   };
-  const auto simulation = makeSimulation(scenario, pipeline, scene, poses_at(0));
+  const auto simulation = makeWorld(scenario, pipeline, scene, poses_at(0));
   const State& state = simulation->state();
   const int settling = static_cast<int>(stepsToCover(scenario.time.settle_s, scenario.time.step_s));
   for (int i = 0; i < settling; ++i) simulation->step(poses_at(0));
@@ -80,7 +88,7 @@ double measureSteps(benchmark::State& out, const Scenario& scenario, const Pipel
 }  // namespace
 
 void addStepCases() {
-  for (const std::string name : {"spatula_press", "plate_press"}) {
+  for (const std::string name : {"spatula_press", "plate_press", "elastic_press", "elastic_organ"}) {
     const Scenario scenario = configuredScenario(name);
     for (const PipelineSettings& pipeline : scenario.pipelines) {
       addCase("step/" + name + "/" + pipeline.name,
