@@ -1,7 +1,9 @@
 #!/usr/bin/env python3
 """Frames of all pipelines of a result side by side, over their penetration depth and force.
 
-    /usr/bin/python3 scripts/montage.py results/spatula_press.h5 -o results/spatula_press.png [--at 0.1 0.2 0.55]
+    /usr/bin/python3 scripts/montage.py results/spatula_press.h5 -o results/spatula_press.png [--at 0.1 0.2 0.55] [--reaction]
+
+--reaction: the reaction on all tools together in place of the first force law.
 """
 import argparse
 
@@ -31,16 +33,17 @@ def draw_frames(axes, result, names, instants):
                 axis.imshow(group["frames"][nearest(group["frame_time"][:], instant)])
 
 
-def draw_curves(depth_axis, force_axis, path, names):
+def draw_curves(depth_axis, force_axis, path, names, reaction):
     for colour, name in zip(COLOURS, names):
         run = xr.open_dataset(path, group=f"pipelines/{name}")
         depth_axis.plot(run.time, 1000 * run.penetration_depth, color=colour, label=name)
-        force = run.force.isel(law=0)
+        force = run.reaction_force if reaction else run.force.isel(law=0)
         force_axis.plot(run.time, np.sqrt((force**2).sum("xyz")), color=colour, label=name)
-        law = str(run.law.values[0])
+        law = "" if reaction else str(run.law.values[0])
     depth_axis.set_ylabel("penetration depth [mm]")
-    force_axis.set_ylabel(f"force, {law} [N]")
-    force_axis.set_yscale("symlog", linthresh=1)
+    force_axis.set_ylabel("reaction [N]" if reaction else f"force, {law} [N]")
+    if not reaction:
+        force_axis.set_yscale("symlog", linthresh=1)
     for axis in (depth_axis, force_axis):
         axis.set_xlabel("time [s]")
         axis.grid(alpha=0.3)
@@ -51,6 +54,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("result")
     parser.add_argument("-o", "--output", required=True)
+    parser.add_argument("--reaction", action="store_true", help="the reaction in place of the first force law")
     parser.add_argument("--at", type=float, nargs="+", help="instants in s (default: three of the run)")
     arguments = parser.parse_args()
     with h5py.File(arguments.result) as result:
@@ -60,7 +64,7 @@ def main():
         figure = plt.figure(figsize=(4 * len(instants), 3 * len(names) + 3.2), constrained_layout=True)
         upper, lower = figure.subfigures(2, 1, height_ratios=[3 * len(names), 3.2])
         draw_frames(upper.subplots(len(names), len(instants), squeeze=False), result, names, instants)
-        draw_curves(*lower.subplots(1, 2), arguments.result, names)
+        draw_curves(*lower.subplots(1, 2), arguments.result, names, arguments.reaction)
         figure.savefig(arguments.output, dpi=80)
     print(f"picture: {arguments.output}")
 

@@ -104,9 +104,11 @@ FitSettings settingsOf(const FitOptions& options, ForceModel law) {
     const auto [parameter, value] = parseFixed(text, law);
     const std::string name = nameOf(law, parameter);
     if (!options.free.empty() && settings.free[index(parameter)])
-      throw InputError("--fix " + text + ": " + name + " is free too, expected one of them");
+      throw InputError(std::string("--fix ").append(text).append(": ").append(name).append(
+          " is free too, expected one of them"));
     if (fixed[index(parameter)])
-      throw InputError("--fix " + text + ": " + name + " is fixed already, expected one value");
+      throw InputError(std::string("--fix ").append(text).append(": ").append(name).append(
+          " is fixed already, expected one value"));
     valueOf(law, settings.fixed, parameter) = value;
     settings.free[index(parameter)] = false;
     fixed[index(parameter)] = true;
@@ -114,8 +116,13 @@ FitSettings settingsOf(const FitOptions& options, ForceModel law) {
   for (const FitParameter parameter : {FitParameter::elastic, FitParameter::shape}) {
     if (!hasParameter(law, parameter) || settings.free[index(parameter)] || fixed[index(parameter)]) continue;
     const std::string name = nameOf(law, parameter);
-    throw InputError("--free " + options.free + ": " + name + " is neither free nor fixed, expected --fix " +
-                     name + "=NUMBER");
+    throw InputError(std::string("--free ")
+                         .append(options.free)
+                         .append(": ")
+                         .append(name)
+                         .append(" is neither free nor fixed, expected --fix ")
+                         .append(name)
+                         .append("=NUMBER"));
   }
   return settings;
 }

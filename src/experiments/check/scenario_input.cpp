@@ -127,7 +127,7 @@ class SurfaceReport {
     const std::filesystem::path& directory = checked_.loaded.scenario.directory;
     if (const auto* volume = std::get_if<TetrahedraShape>(&shape)) {
       for (const std::string& note : files_.volume(*volume).notes)
-        checked_.notes.push_back(path + ": " + note);
+        checked_.notes.push_back(std::string(path).append(": ").append(note));
       return spoiling(inspectSurface(makeSurface(shape, files_)), spoils_);
     }
     const auto* from_file = std::get_if<FileShape>(&shape);

@@ -38,7 +38,7 @@ class Bytes {
   std::string line() {
     const std::size_t end = bytes_.find('\n', at_);
     if (end == std::string::npos) throw std::length_error("no line");
-    const std::string text = bytes_.substr(at_, end - at_);
+    std::string text = bytes_.substr(at_, end - at_);
     at_ = end + 1;
     return text;
   }
