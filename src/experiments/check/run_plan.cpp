@@ -24,7 +24,8 @@ double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
   return row_bytes * static_cast<double>(checked.steps + 1);
 }
 
-/// Of the tetrahedra at rest: three coordinates and an index a vertex, four indices a tetrahedron, packed.
+/// Size of the stored tetrahedra at rest: three coordinates and an index per vertex, four packed indices per
+/// tetrahedron.
 double volumeBytes(const Scene& scene) {
   constexpr double packed_bytes = 5;
   double bytes = 0;

@@ -34,8 +34,8 @@ struct MeasuredCurve {
   std::vector<double> rate_m_s;        ///< of the depth, by ratesOf() over all rows with numbers
   std::vector<double> rate_noise_m_s;  ///< what noise of the depths makes of it, by rateNoiseOf()
   std::vector<double> weights;         ///< of squared residuals, > 0: 1 / sigma^2, or as the file says
-  /// Of the force between probes of which force_N is the median; NaN where the file leaves them out. Beside
-  /// fits, never in them.
+  /// Quartiles of the force between probings, whose median is force_N; NaN where the file leaves them out.
+  /// They are printed beside predictions and have no part in a fit.
   std::vector<double> lower_quartile_N, upper_quartile_N;
 
   std::optional<CurveRole> weighted_by;  ///< sigma or weight; nothing: all weights are 1

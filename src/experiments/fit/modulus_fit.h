@@ -22,7 +22,7 @@ std::string unitOf(ModulusParameter parameter);  ///< "Pa", "N", "m"
 
 struct ModulusSettings {
   std::array<bool, 3> free = {true, true, false};  ///< by ModulusParameter
-  /// Of what is not free; of the modulus it must be > 0.
+  /// Values of the parameters that are not free, in their units; a fixed modulus must be > 0.
   std::array<double, 3> fixed = {0, 0, 0};
   /// Points deeper than this are not fitted but predicted.
   double most_depth_m = std::numeric_limits<double>::infinity();
@@ -31,7 +31,8 @@ struct ModulusSettings {
 struct ModulusValue {
   double value = 0;
   bool free = false;
-  /// Of free ones: from J'J, and the 95 % interval of the profile; infinite, for E 0, where it is open.
+  /// Where it is free: its standard error from the Jacobian, and its 95 % interval by profiling. An open end
+  /// is infinite, the lower end of E then 0.
   double standard_error = 0, low = 0, high = 0;
 };
 
