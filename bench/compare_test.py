@@ -1,8 +1,11 @@
 #!/usr/bin/env python3
 """scripts/bench-compare on a throw-away repository whose fissure-bench is a script that prints given times."""
+import importlib.machinery
+import importlib.util
 import json
 import os
 import pathlib
+import random
 import subprocess
 import sys
 import tempfile
@@ -38,6 +41,41 @@ CMAKE = """cmake_minimum_required(VERSION 3.25)
 project(fake NONE)
 add_custom_target(fissure-bench COMMAND ${CMAKE_COMMAND} -E copy ${CMAKE_SOURCE_DIR}/program bench/fissure-bench)
 """
+
+
+def load_script():
+    loader = importlib.machinery.SourceFileLoader("bench_compare", str(SCRIPT))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("bench_compare", loader))
+    loader.exec_module(module)
+    return module
+
+
+class Interval(unittest.TestCase):
+    """Of the shift between two samples; U as in the table of Mann and Whitney (1947)."""
+
+    def test_the_distribution_of_u(self):
+        ways = load_script().ways_of_u
+        self.assertEqual(ways(2, 2), [1, 1, 2, 1, 1])
+        self.assertEqual(sum(ways(5, 5)), 252)
+        self.assertEqual(ways(5, 5)[:3], [1, 1, 2])  # P(U <= 2) = 4 / 252 = 0.016 < 0.025, with 3 it is 0.028
+
+    def test_it_leaves_out_as_many_ratios_as_the_test_does(self):
+        interval = load_script().interval
+        pairs = [(1.0, 1.0 + 0.01 * i) for i in range(5)]  # 25 ratios, five of each; u up to 2 is left out
+        self.assertEqual(interval(pairs, 0.05), (1.0, 1.04))
+        ratios = sorted(head / base for base in (1, 2, 3, 4, 5) for head in (1, 2, 3, 4, 5))
+        self.assertEqual(interval([(i, i) for i in (1, 2, 3, 4, 5)], 0.05), (ratios[2], ratios[22]))
+        self.assertEqual(interval([(1.0, 2.0), (1.0, 4.0)], 0.001), (2.0, 4.0), "too few: the widest")
+
+    def test_it_holds_the_ratio_in_95_of_100(self):
+        interval, noise = load_script().interval, random.Random(1)
+        held = 0
+        for _ in range(400):
+            pairs = [(100 * noise.uniform(0.9, 1.1), 105 * noise.uniform(0.9, 1.1)) for _ in range(8)]
+            low, high = interval(pairs, 0.05)
+            held += low <= 1.05 <= high
+        self.assertGreater(held, 370)
+        self.assertLess(held, 399)
 
 
 class BenchCompare(unittest.TestCase):
@@ -97,7 +135,10 @@ class BenchCompare(unittest.TestCase):
     def test_a_commit_against_itself_gives_no_warning(self):
         code, output, report = self.compare("base", "base", "--fail-on-warning")
         self.assertEqual(code, 0, output)
-        self.assertEqual({line["verdict"] for line in report["benchmarks"]}, {"same"})
+        noisy = {line["name"] for line in report["benchmarks"] if line["verdict"] == "undecided"}
+        self.assertEqual(noisy, {"detect/noisy"}, "its times differ by a factor of nine")
+        self.assertEqual({line["verdict"] for line in report["benchmarks"]}, {"same", "undecided"})
+        self.assertIn("cannot decide: 1 of 9 benchmarks", output)
         self.assertIn("no warning", output)
 
     def test_ten_percent_are_found_and_fail_only_when_asked(self):
@@ -121,13 +162,31 @@ class BenchCompare(unittest.TestCase):
         self.assertEqual(self.compare("base", "faster", "--fail-on-warning")[0], 0)
 
     def test_a_difference_below_one_of_the_thresholds_is_none(self):
-        self.assertEqual(self.verdicts("base", "a_little_slower")["detect/a"], "same")
-        self.assertEqual(self.verdicts("base", "a_little_slower", "--relative", "0.02")["detect/a"], "slower")
+        self.assertEqual(self.verdicts("base", "a_little_slower", "--relative", "0.1")["detect/a"], "same")
+        self.assertEqual(self.verdicts("base", "a_little_slower")["detect/a"], "slower")
         self.assertEqual(self.verdicts("base", "fast_one_slower")["detect/fast"], "same")
         self.assertEqual(self.verdicts("base", "fast_one_slower", "--absolute-us", "0.1")["detect/fast"], "slower")
 
-    def test_a_difference_that_is_not_significant_is_none(self):
-        self.assertEqual(self.verdicts("base", "noisy_one_slower", "--relative", "0")["detect/noisy"], "same")
+    def test_a_difference_that_is_not_significant_cannot_be_decided(self):
+        code, output, report = self.compare("base", "noisy_one_slower", "--relative", "0.02", "--fail-on-warning")
+        self.assertEqual(code, 0, output)
+        line = next(line for line in report["benchmarks"] if line["name"] == "detect/noisy")
+        self.assertEqual(line["verdict"], "undecided")
+        self.assertLess(line["low"], 1)
+        self.assertGreater(line["high"], 1.02)
+        self.assertRegex(output, "detect/noisy .*cannot decide\n")
+
+    def test_a_difference_about_as_large_as_the_limit_cannot_be_decided(self):
+        verdicts = self.verdicts("base", "a_little_slower", "--relative", "0.042")
+        self.assertEqual(verdicts["detect/a"], "undecided")
+
+    def test_the_interval_holds_the_difference_and_leaves_out_none(self):
+        report = self.compare("base", "slower")[2]
+        line = next(line for line in report["benchmarks"] if line["name"] == "detect/a")
+        self.assertLess(1, line["low"])
+        self.assertLess(line["low"], 1.1)
+        self.assertLess(1.1, line["high"])
+        self.assertLess(line["high"], 1.14)
 
     def test_benchmarks_of_one_commit_are_named(self):
         code, output, report = self.compare("base", "another")
@@ -145,11 +204,12 @@ class BenchCompare(unittest.TestCase):
 
     def test_a_machine_that_is_slower_now_and_then_hides_nothing(self):
         self.assertEqual(self.verdicts("base", "slower", drift=True)["detect/a"], "slower")
-        self.assertEqual(set(self.verdicts("base", "base", drift=True).values()), {"same"})
+        verdicts = self.verdicts("base", "base", drift=True)
+        self.assertEqual({name for name, verdict in verdicts.items() if verdict != "same"}, {"detect/noisy"})
 
     def test_a_benchmark_has_no_part_in_its_own_correction(self):
         verdicts = self.verdicts("base", "slower", "--filter", "detect/a", drift=True)
-        self.assertEqual(verdicts, {"detect/a": "same"})
+        self.assertEqual(verdicts, {"detect/a": "undecided"})
 
     def assert_refused(self, line, *arguments):
         code, output, report = self.compare(*arguments)

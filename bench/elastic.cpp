@@ -69,6 +69,7 @@ void addElasticCases() {
     addCase(name + "widest", [=](benchmark::State& state) { return asLanes(state, cells, kSoft, widest); });
     for (const auto& [what, change] : std::initializer_list<std::pair<std::string, ElasticMaterial>>{
              {"corotated", {MaterialModel::linear_corotated, 1e4, 0.4, 1000}},
+             {"kirchhoff", {MaterialModel::saint_venant_kirchhoff, 1e4, 0.4, 1000}},
              {"viscous", {MaterialModel::neo_hookean, 1e4, 0.4, 1000, 1}},
              {"averaged", {MaterialModel::neo_hookean, 1e4, 0.49, 1000}}}) {
       const ElasticMaterial material = change;

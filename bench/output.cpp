@@ -43,7 +43,7 @@ double append(benchmark::State& out) {
                                           .pipeline = pipeline,
                                           .scene = scene,
                                           .layout = layout,
-                                          .expected_rows = kOutputRows,
+                                          .expected_steps = static_cast<std::int64_t>(kOutputRows) - 1,
                                           .flush_every_s = 1e9});  // blocks by their size alone
   Batch blocks;
   for (std::size_t row = 0; row < kOutputRows; row += kBlock) {

@@ -89,7 +89,7 @@ double measureRecording(benchmark::State& out, const Scenario& scenario, const P
                                        .pipeline = pipeline,
                                        .scene = run.scene(),
                                        .layout = layout,
-                                       .expected_rows = static_cast<std::size_t>(run.stepCount() + 1),
+                                       .expected_steps = run.stepCount(),
                                        .flush_every_s = 1e9}),
                  writes);
   const auto timed_frames = [&](const State& first) {

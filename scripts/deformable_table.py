@@ -55,7 +55,7 @@ PAGE = """# Bullet's world of tetrahedra as a baseline
 [elastic_press](../../configs/elastic_press.yaml) with its blade 8.1 mm into the ball at a constant speed, then {hold} s of hold: the same
 tetrahedra in Bullet's btDeformableMultiBodyDynamicsWorld with Bullet's own contact (pipeline `deformable`), and in the explicit engine with
 `fukuhara` and `swept`. `nodes` tests tissue vertices in the blade's signed distance field, `faces` tissue triangles by GJK. Stock is what Bullet's
-examples of the material have, tuned the best that was found (the fields of [pipeline `deformable`](../../README.md#bullets-world-of-tetrahedra)).
+examples of the material have, tuned the best that was found (the fields of [pipeline `deformable`](../../src/simulation/engine/METHOD.md#5-the-deformable-world)).
 The ball has 512 tetrahedra, whose reaction is within 1 % of finer ones', and the scene's own 4,096 at {fine} m/s. All numbers are in
 [deformable.csv](deformable.csv).
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Frames of all pipelines of a result side by side, over their penetration depth and force.
 
-    /usr/bin/python3 scripts/montage.py results/spatula_press.h5 -o results/spatula_press.png [--at 0.1 0.2 0.55] [--reaction]
+    /usr/bin/python3 scripts/montage.py out/spatula_press.h5 -o results/spatula_press.png [--at 0.1 0.2 0.55] [--reaction]
 
 --reaction: the reaction on all tools together in place of the first force law.
 """
@@ -13,7 +13,6 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-import xarray as xr
 
 # Okabe and Ito's colours, which colour-blind readers can tell apart.
 COLOURS = ["#E69F00", "#56B4E9", "#CC79A7", "#009E73", "#0072B2", "#D55E00"]
@@ -33,13 +32,14 @@ def draw_frames(axes, result, names, instants):
                 axis.imshow(group["frames"][nearest(group["frame_time"][:], instant)])
 
 
-def draw_curves(depth_axis, force_axis, path, names, reaction):
+def draw_curves(depth_axis, force_axis, result, names, reaction):
     for colour, name in zip(COLOURS, names):
-        run = xr.open_dataset(path, group=f"pipelines/{name}")
-        depth_axis.plot(run.time, 1000 * run.penetration_depth, color=colour, label=name)
-        force = run.reaction_force if reaction else run.force.isel(law=0)
-        force_axis.plot(run.time, np.sqrt((force**2).sum("xyz")), color=colour, label=name)
-        law = "" if reaction else str(run.law.values[0])
+        run = result[f"pipelines/{name}"]
+        time_s = run["time"][:]
+        depth_axis.plot(time_s, 1000 * run["penetration_depth"][:], color=colour, label=name)
+        force_N = run["reaction_force"][:] if reaction else run["force"][0]
+        force_axis.plot(time_s, np.linalg.norm(force_N, axis=-1), color=colour, label=name)
+        law = "" if reaction else run["law"].asstr()[0]
     depth_axis.set_ylabel("penetration depth [mm]")
     force_axis.set_ylabel("reaction [N]" if reaction else f"force, {law} [N]")
     if not reaction:
@@ -64,7 +64,7 @@ def main():
         figure = plt.figure(figsize=(4 * len(instants), 3 * len(names) + 3.2), constrained_layout=True)
         upper, lower = figure.subfigures(2, 1, height_ratios=[3 * len(names), 3.2])
         draw_frames(upper.subplots(len(names), len(instants), squeeze=False), result, names, instants)
-        draw_curves(*lower.subplots(1, 2), arguments.result, names, arguments.reaction)
+        draw_curves(*lower.subplots(1, 2), result, names, arguments.reaction)
         figure.savefig(arguments.output, dpi=80)
     print(f"picture: {arguments.output}")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The upper part of the report page of a scenario, as headless Chromium shows it: the picture in the README.
+"""The upper part of the report page of a scenario, as headless Chromium shows it: the picture in src/main/README.md.
 
     /usr/bin/python3 scripts/report_picture.py configs/spatula_press.yaml -o results/spatula_press_report.png [--at 0.15]
 

@@ -23,7 +23,7 @@ HEAD = """# How rough the force is: swept contact beside nodes
 
     /usr/bin/python3 scripts/roughness_table.py
 
-Roughness of the first force law and of the constraint reaction (README: RMS of the second difference over that of the value), at 1 ms, `swept`
+Roughness of the first force law and of the constraint reaction ([RMS of the second difference over that of the value](../../src/judgement/measure/METHOD.md#5-roughness)), at 1 ms, `swept`
 over `fukuhara`; the speed is that of the fastest point of a tool. Jaws: of several tools each by itself, all values together; between two
 jaws the sum nearly cancels, and its own roughness compares little with little. **Bold**: swept is rougher.
 

@@ -1,8 +1,8 @@
 """Two runs of a result side by side: how far apart they are, where and since when, and both over time.
 
-    /usr/bin/python3 scripts/examples/compare.py results/spatula_press.h5 default_tuned fukuhara -o compare.png
+    /usr/bin/python3 scripts/examples/compare.py out/spatula_press.h5 default_tuned fukuhara -o compare.png
 
-`fissure compare results/spatula_press.h5:default_tuned :fukuhara` does so for every series, with tolerances.
+`fissure compare out/spatula_press.h5:default_tuned :fukuhara` does so for every series, with tolerances.
 """
 import argparse
 

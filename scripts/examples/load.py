@@ -1,6 +1,6 @@
 """What a result holds: its runs, their series with units and axes, and what came out.
 
-    /usr/bin/python3 scripts/examples/load.py results/spatula_press.h5
+    /usr/bin/python3 scripts/examples/load.py out/spatula_press.h5
 """
 import sys
 

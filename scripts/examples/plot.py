@@ -1,6 +1,6 @@
 """Any series of a run over time; vectors by their length, one line for each law, tool or clamp.
 
-    /usr/bin/python3 scripts/examples/plot.py results/spatula_press.h5 fukuhara penetration_depth force -o press.png
+    /usr/bin/python3 scripts/examples/plot.py out/spatula_press.h5 fukuhara penetration_depth force -o press.png
 """
 import argparse
 

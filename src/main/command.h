@@ -13,7 +13,7 @@ class Option;
 
 namespace fissure {
 
-/// One option of a command; the calls below add to what it demands and return it.
+/// One option of a command. The functions add requirements and return the option itself.
 class Option {
  public:
   explicit Option(CLI::Option* option) : option_(option) {}
@@ -21,35 +21,37 @@ class Option {
   Option& required();
   /// Its value must not be empty.
   Option& notEmpty();
-  /// `problemOf` says what is wrong with a value, or nothing.
+  /// `problemOf` returns what is wrong with a value; empty: nothing.
   Option& check(const std::function<std::string(const std::string&)>& problemOf);
-  /// Both bounds included; NaN is outside.
+  /// Its value must be in this range, bounds included; NaN is not.
   Option& between(int low, int high);
   Option& between(double low, double high);
   Option& oneOf(const std::vector<std::string>& names);
-  /// The help says what it is when it is left out.
+  /// The help shows its default.
   Option& showDefault();
-  /// A list grows by one value each time the option is given, instead of taking all values that follow it.
+  /// Each use of the option takes only one value and appends it to the list, instead of taking all values
+  /// that follow.
   Option& repeated();
   Option& count(int values);
-  Option& commas();  ///< commas divide values too
+  Option& commas();  ///< values may be separated by commas too
   Option& without(const Option& other);
   Option& without(const std::string& other);
   Option& needs(const Option& other);
-  /// What the help calls its value.
+  /// Sets the name of its value in the help.
   Option& called(const std::string& value);
 
  private:
   CLI::Option* option_;
 };
 
-/// A command of a program: `fissure run`, `fissure sweep status`, or the program itself. Values that options
-/// write to must outlive the parsing.
+/// A command of a program: `fissure run`, `fissure sweep status`, or the program itself. The variables that
+/// options set must outlive the parsing.
 class Command {
  public:
   explicit Command(CLI::App* app) : app_(app) {}
 
-  /// Names that begin with "-" are options, others stand for arguments by their position.
+  /// Adds an option that sets `value`. A name that begins with "-" is that of an option, any other that of a
+  /// positional argument.
   Option option(const std::string& name, std::string& value, const std::string& help);
   Option option(const std::string& name, int& value, const std::string& help);
   Option option(const std::string& name, std::size_t& value, const std::string& help);
@@ -60,6 +62,8 @@ class Command {
   Option option(const std::string& name, std::vector<double>& values, const std::string& help);
   Option flag(const std::string& name, bool& value, const std::string& help);
   Command command(const std::string& name, const std::string& help);
+  /// Adds an example to the end of the help.
+  void example(const std::string& words);
   /// Whether the command line names this command.
   bool given() const;
 
@@ -75,16 +79,21 @@ class CommandLine {
   CommandLine(const CommandLine&) = delete;
   CommandLine& operator=(const CommandLine&) = delete;
 
-  void setVersion(const std::string& text);  ///< what --version prints
-  void setFooter(const std::string& text);   ///< of the help
-  void requireCommand();                     ///< one of its commands must be given
+  void setVersion(const std::string& text);  ///< sets the output of --version
+  void setFooter(const std::string& text);   ///< sets the end of the help
+  void requireCommand();                     ///< makes one of its commands mandatory
   Command root();
 
-  /// What parsing came to.
+  /// The outcome of parsing.
   struct Outcome {
-    bool done = false;  ///< help or version were printed
-    std::string error;  ///< one line; empty: the command line is good
+    bool done = false;  ///< help or version was printed
+    /// The error in one line; for a program with a name, the command comes before it and a hint to its help
+    /// behind. Empty: the command line is valid.
+    std::string error;
   };
+  /// A bash script that completes the program's commands and their options.
+  std::string bashCompletion() const;
+
   Outcome parse(int argc, const char* const* argv);
 
  private:

@@ -1,5 +1,7 @@
 #include "main/comparison.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <sstream>
 
@@ -24,7 +26,7 @@ const PipelineResult& chooseRun(const ResultChoice& choice, const ResultInfo& in
   if (choice.run.empty() && info.pipelines.size() == 1) return info.pipelines.front();
   std::string known;
   for (const PipelineResult& run : info.pipelines) known += (known.empty() ? "" : ", ") + run.name;
-  throw InputError(inFile(choice.file), "has no run \"" + name + "\", expected one of " + known);
+  throw InputError(inFile(choice.file), fmt::format("has no run \"{}\", expected one of {}", name, known));
 }
 
 void noteScenarios(const ResultInfo& a, const ResultInfo& b, std::vector<std::string>& notes) {
@@ -39,8 +41,8 @@ void noteScenarios(const ResultInfo& a, const ResultInfo& b, std::vector<std::st
       return there ? inQuotes(text.substr(std::min(text.find_first_not_of(' '), text.size())))
                    : std::string("its end");
     };
-    notes.push_back("the resolved scenarios differ, first in line " + std::to_string(line) + ": " +
-                    shown(more_a, line_a) + " against " + shown(more_b, line_b));
+    notes.push_back(fmt::format("the resolved scenarios differ, first in line {}: {} against {}", line,
+                                shown(more_a, line_a), shown(more_b, line_b)));
     return;
   }
 }

@@ -1,7 +1,7 @@
 // What `compare` prints.
-#include <array>
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 
 #include "base/counted.h"
 #include "main/comparison.h"
@@ -21,10 +21,7 @@ std::string verdict(const QuantityComparison& made) {
 std::string relative(const Difference& difference) {
   const double ratio = difference.largest / difference.largest_b;
   if (!std::isfinite(ratio) || !difference.worst) return "-";
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), ratio < 10 ? "%.3g %%" : "%.0f x",
-                ratio < 10 ? 100 * ratio : ratio);
-  return text.data();
+  return ratio < 10 ? fmt::format("{:.3g} %", 100 * ratio) : fmt::format("{:.0f} x", ratio);
 }
 
 std::string shiftText(const QuantityComparison& made) {
@@ -56,9 +53,9 @@ TextRow numbersRow(const QuantityComparison& made) {
 
 std::string title(const char* side, const RunOfFile& run) {
   const PipelineResult& result = *run.run;
-  return std::string(side) + "  " + run.file.string() + ":" + result.name + "  " + result.precision + ", " +
-         nameOf(result.status.end) + ", " + result.description +
-         (run.info->reference ? " (a reference)" : "") + "\n";
+  return fmt::format("{}  {}:{}  {}, {}, {}{}\n", side, run.file.string(), result.name, result.precision,
+                     nameOf(result.status.end), result.description,
+                     run.info->reference ? " (a reference)" : "");
 }
 
 /// One line for all quantities that only one side has.
@@ -66,7 +63,7 @@ std::string onlyIn(const RunComparison& run, const char* side, const std::string
   std::string names;
   for (const QuantityComparison& made : run.quantities)
     if (made.problem == problem && !made.agrees) names += (names.empty() ? " " : ", ") + made.quantity;
-  return names.empty() ? "" : std::string("only in ") + side + ":" + names + "\n";
+  return names.empty() ? "" : fmt::format("only in {}:{}\n", side, names);
 }
 
 bool isOneSided(const QuantityComparison& made) {
@@ -78,9 +75,9 @@ std::string problemLines(const RunComparison& run) {
   for (const std::string& problem : run.problems) text += "DIFFERS: " + problem + "\n";
   for (const QuantityComparison& made : run.quantities) {
     if (made.agrees || isOneSided(made)) continue;
-    if (!made.problem.empty()) text += made.quantity + " DIFFERS: " + made.problem + "\n";
+    if (!made.problem.empty()) text += fmt::format("{} DIFFERS: {}\n", made.quantity, made.problem);
     if (made.text_a != made.text_b)
-      text += made.quantity + " DIFFERS: " + made.text_a + " against " + made.text_b + "\n";
+      text += fmt::format("{} DIFFERS: {} against {}\n", made.quantity, made.text_a, made.text_b);
   }
   return text + onlyIn(run, "A", "missing in B") + onlyIn(run, "B", "missing in A");
 }
@@ -90,10 +87,9 @@ std::string countLine(const RunComparison& run) {
   for (const QuantityComparison& made : run.quantities)
     ++(!made.agrees ? differing : made.equal() ? equal : within);
   std::string text = counted(differing, "quantity differs, ", "quantities differ, ");
-  if (within > 0) text += std::to_string(within) + " are within their tolerance, ";
+  if (within > 0) text += fmt::format("{} are within their tolerance, ", within);
   const RunEnd end = run.a.run->status.end;
-  return text + std::to_string(equal) + " are equal" + (end == RunEnd::ok ? "" : " (" + nameOf(end) + ")") +
-         "\n";
+  return fmt::format("{}{} are equal{}\n", text, equal, end == RunEnd::ok ? "" : " (" + nameOf(end) + ")");
 }
 
 std::string runText(const RunComparison& run, bool all) {

@@ -1,7 +1,11 @@
 // The worker: one scenario through one pipeline into one part file.
 //   exit 0: the part is finished (its status says ok or non_finite); 2: bad input; 3: failed
+#include <malloc.h>
+#include <sys/resource.h>
+
 #include <chrono>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <new>
 #include <optional>
@@ -13,6 +17,7 @@
 #include "main/command.h"
 #include "main/exit_codes.h"
 #include "measure/probes.h"
+#include "pilot/pilot.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
 #include "scenario/catalog.h"
@@ -26,6 +31,14 @@
 namespace {
 
 using namespace fissure;
+
+/// Pictures, chunks of files and a step's arrays come and go all the time: memory that was given back to the
+/// system after each of them would be cleared page by page before the next.
+void keepFreedMemory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+  mallopt(M_TOP_PAD, 16 << 20);
+}
 
 const PipelineSettings& findPipeline(const Scenario& scenario, const std::string& name) {
   for (const PipelineSettings& pipeline : scenario.pipelines) {
@@ -71,22 +84,35 @@ class RunningRun {
                                  .pipeline = pipeline_,
                                  .scene = run_.scene(),
                                  .layout = layout_,
-                                 .expected_rows = static_cast<std::size_t>(run_.stepCount() + 1),
+                                 .expected_steps = run_.stepCount(),
                                  .scenario_resolved = loaded_.resolved});
   }
 
-  void execute(RecordSink& sink) {
-    const auto renderer = [&](const State& first) {
-      return makeOffscreenRenderer(run_.scene(), *loaded_.scenario.record.frames, first);
-    };
-    run_.execute({.sink = sink,
-                  .probes = probes_,
-                  .layout = layout_,
-                  .make_frame_source = renderer,
-                  .progress = ProgressLines()});
+  /// `pilot`: watches it, where this is one.
+  void execute(RecordSink& sink, Pilot* pilot) {
+    ProgressLines lines;
+    if (pilot) pilot->begin();
+    const RunStatus status = run_.execute(
+        {.sink = pilot ? pilot->watched(sink) : sink,
+         .probes = probes_,
+         .layout = layout_,
+         .make_frame_source =
+             [&](const State& first) {
+               return pilot ? pilot->watchedFrames([&] { return makeFrames(first); }) : makeFrames(first);
+             },
+         .progress =
+             [&](std::int64_t step, std::int64_t steps) {
+               if (pilot) run_.changeTempo(pilot->stepped());
+               lines(step, steps);
+             }});
+    if (pilot && status.end != RunEnd::ok) throw RunError("the pilot has no end: " + status.detail);
   }
 
  private:
+  std::unique_ptr<FrameSource> makeFrames(const State& first) const {
+    return makeOffscreenRenderer(run_.scene(), *loaded_.scenario.record.frames, first);
+  }
+
   const LoadedScenario& loaded_;
   const PipelineSettings& pipeline_;
   Run run_;
@@ -95,15 +121,32 @@ class RunningRun {
 };
 
 void work(const std::string& file, const std::string& directory, const std::string& name,
-          const std::string& part) {
+          const std::string& part, const PilotOrder& options) {
   // As if the file stood where the user's did, so that relative names mean the same.
-  const LoadedScenario loaded = parseScenario(
+  LoadedScenario loaded = parseScenario(
       readTextFile(file), std::filesystem::path(directory) / std::filesystem::path(file).filename());
   const PipelineSettings& pipeline = findPipeline(loaded.scenario, name);
   checkPrecision(pipeline);
-  RunningRun run(loaded, pipeline, prepareScenario(loaded.scenario, pipeline.usesNodes()));
+  PreparedScenario prepared = prepareScenario(loaded.scenario, pipeline.usesNodes());
+  std::optional<Pilot> pilot = options.thin(loaded.scenario, prepared);
+  RunningRun run(loaded, pipeline, std::move(prepared));
   const auto sink = run.makePart(part);
-  run.execute(*sink);
+  run.execute(*sink, pilot ? &*pilot : nullptr);
+  options.write(pilot);
+}
+
+/// The processor time and the most memory that this process has taken.
+void noteUsage(TaskRecord& record) {
+  rusage used = {};
+  if (::getrusage(RUSAGE_SELF, &used) != 0) return;
+  record.timing["timing/worker_processor_s"] =
+      static_cast<double>(used.ru_utime.tv_sec + used.ru_stime.tv_sec) +
+      1e-6 * static_cast<double>(used.ru_utime.tv_usec + used.ru_stime.tv_usec);
+  // Not ru_maxrss, which counts what the process was before it became this program.
+  std::ifstream status("/proc/self/status");
+  for (std::string word; status >> word;)
+    if (double memory_kib = 0; word == "VmHWM:" && status >> memory_kib)
+      record.timing["timing/worker_memory_mb"] = memory_kib / 1024;
 }
 
 /// The scenario of an order, checked as the front checks those that it runs itself.
@@ -113,12 +156,14 @@ CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
   RecordSettings& record = loaded.scenario.record;
   if (!with_part) record = {};
   record.force_inputs |= !order.laws.empty();
-  return checkLoaded(order.name, std::move(loaded),
-                     {.pipelines = {order.pipeline}, .frames = with_part, .expectations = false});
+  return checkLoaded(
+      order.name, std::move(loaded),
+      {.pipelines = {order.pipeline}, .frames = with_part && order.frames, .expectations = false});
 }
 
 /// One simulation of a sweep: its record, and its part where a result is kept.
-void workToOrder(const std::string& order_file, const std::string& record, const std::string& part) {
+void workToOrder(const std::string& order_file, const std::string& record, const std::string& part,
+                 const PilotOrder& options) {
   const TaskOrder order = parseOrder(readTextFile(order_file));
   const auto start = std::chrono::steady_clock::now();
   CheckedScenario checked = [&] {
@@ -130,6 +175,7 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   }();
   const PipelineSettings& pipeline = checked.loaded.scenario.pipelines.front();
   checkPrecision(pipeline);
+  std::optional<Pilot> pilot = options.thin(checked.loaded.scenario, checked.prepared);
   RunningRun run(checked.loaded, pipeline, std::move(checked.prepared));
   RunRecorder::Settings settings;
   if (order.curves) {
@@ -142,10 +188,12 @@ void workToOrder(const std::string& order_file, const std::string& record, const
   if (!part.empty()) sink = run.makePart(part);
   settings.next = sink.get();
   RunRecorder recorder(run.layout(), settings);
-  run.execute(recorder);
+  run.execute(recorder, pilot ? &*pilot : nullptr);
+  options.write(pilot);
   TaskRecord done = recorder.record();
   done.timing["timing/simulation_wall_s"] =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  noteUsage(done);
   writeFile(record, encodeRecord(done));
 }
 
@@ -154,6 +202,7 @@ int parseAndWork(int argc, const char* const* argv) {
   CommandLine line(
       "fissure's worker: one scenario through one pipeline into one part file (started by fissure)");
   std::string scenario, directory, pipeline, part, order, record;
+  PilotOrder pilot;
   Command root = line.root();
   root.option("--scenario", scenario, "scenario file, resolved");
   root.option("--directory", directory, "where the scenario's relative file names start");
@@ -161,6 +210,8 @@ int parseAndWork(int argc, const char* const* argv) {
   root.option("--part", part, "part file to write");
   root.option("--order", order, "instead of a scenario: file with a simulation of a sweep");
   root.option("--record", record, "file for the sweep's record of it");
+  root.option("--pilot", pilot.one_in, "about one of so many steps, the tools on the same path");
+  root.option("--forecast", pilot.forecast, "file for how long the whole would take, by that pilot");
   const CommandLine::Outcome parsed = line.parse(argc, argv);
   if (parsed.done) {
     plain_out.requireWritten("standard output");
@@ -171,15 +222,16 @@ int parseAndWork(int argc, const char* const* argv) {
                     : record.empty())
     throw InputError("expected --scenario, --directory, --pipeline and --part, or --order and --record");
   if (order.empty())
-    work(scenario, directory, pipeline, part);
+    work(scenario, directory, pipeline, part, pilot);
   else
-    workToOrder(order, record, part);
+    workToOrder(order, record, part, pilot);
   return exit_good;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  keepFreedMemory();
   try {
     return parseAndWork(argc, argv);
   } catch (const InputError& error) {

@@ -47,15 +47,25 @@ int parseAndRun(int argc, char** argv) {
       "Exit codes: 0 done and good, 1 a comparison or an expectation failed, 2 bad input or usage, 3 a run "
       "failed, 130 "
       "interrupted.");
-  const Command app = command_line.root();
+  Command app = command_line.root();
   const std::string words = commandLine(argc, argv);
-  const std::vector<Verb> verbs = {addRun(app, words), addSweep(app, words), addPlan(app),
-                                   addValidate(app),   addList(app),         addInfo(app),
-                                   addCompare(app),    addRender(app),       addReport(app),
-                                   addExport(app),     addFit(app),          addSalvage(app, words)};
+  std::string shell;
+  Command completion = app.command("completion", "a script that lets a shell complete commands and options");
+  completion.option("SHELL", shell, "for which shell").oneOf({"bash"}).required();
+  completion.example("eval \"$(fissure completion bash)\", in ~/.bashrc");
+  const auto complete = [&] {
+    std::cout << command_line.bashCompletion();
+    return exit_good;
+  };
+  const std::vector<Verb> verbs = {{completion, complete}, addRun(app, words),    addSweep(app, words),
+                                   addStudy(app, words),   addPlan(app),          addValidate(app),
+                                   addList(app),           addExplain(app),       addSchema(app),
+                                   addInit(app),           addInfo(app),          addCompare(app),
+                                   addRender(app),         addReport(app),        addExport(app),
+                                   addFit(app, words),     addSalvage(app, words)};
   const CommandLine::Outcome parsed = command_line.parse(argc, argv);
   if (parsed.done) return exit_good;
-  if (!parsed.error.empty()) return fail(exit_usage, "fissure: " + parsed.error + " (see fissure --help)");
+  if (!parsed.error.empty()) return fail(exit_usage, parsed.error);
   return runVerb(verbs);
 }
 

@@ -1,5 +1,8 @@
 #include "main/fit_modulus.h"
 
+#include <fmt/core.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -37,8 +40,8 @@ std::size_t parameterOf(const std::string& option, const std::string& name) {
     if (name == nameOf(parameter)) return index(parameter);
     known.push_back(nameOf(parameter));
   }
-  throw InputError(option + ": nothing named \"" + name + "\" in E/E0 f(d + d0) + F0" +
-                   didYouMean(name, known));
+  throw InputError(fmt::format("{}: nothing named \"{}\" in E/E0 f(d + d0) + F0{}", option, name,
+                               didYouMean(name, known)));
 }
 
 /// E and F0 are free but what is fixed; with --free only those named are. Offsets are 0 else.
@@ -60,14 +63,15 @@ ModulusSettings settingsOf(const ModulusRequest& request) {
     const std::size_t parameter = parameterOf("--fix " + text, text.substr(0, equals));
     if (parameter == 0 && *value <= 0) throw InputError("--fix " + text + ": expected a number above 0");
     if (fixed[parameter] || (!request.free.empty() && settings.free[parameter]))
-      throw InputError("--fix " + text + ": it is " + (fixed[parameter] ? "fixed already" : "free too") +
-                       ", expected one of them");
+      throw InputError(fmt::format("--fix {}: it is {}, expected one of them", text,
+                                   fixed[parameter] ? "fixed already" : "free too"));
     settings.fixed[parameter] = *value;
     settings.free[parameter] = false;
     fixed[parameter] = true;
   }
   if (!settings.free[0] && !fixed[0])
-    throw InputError("--free " + request.free + ": E is neither free nor fixed, expected --fix E=NUMBER");
+    throw InputError(
+        fmt::format("--free {}: E is neither free nor fixed, expected --fix E=NUMBER", request.free));
   return settings;
 }
 
@@ -103,8 +107,9 @@ std::string predictionText(const std::vector<ModulusPrediction>& predictions) {
 }
 
 std::string assumedOf(const PressCurve& press) {
-  return "assumed, not fitted: Poisson's ratio " + fourDigits(press.poissons_ratio) + ", " + press.material +
-         ", and the simulation's sizes, hold, friction and mesh";
+  return fmt::format(
+      "assumed, not fitted: Poisson's ratio {}, {}, and the simulation's sizes, hold, friction and mesh",
+      fourDigits(press.poissons_ratio), press.material);
 }
 
 std::vector<std::string> notesOf(const PressFit& fit) {
@@ -115,9 +120,9 @@ std::vector<std::string> notesOf(const PressFit& fit) {
 
 std::string blockText(const MeasuredCurve& curve, const PressFit& of) {
   const ModulusFit& fit = of.fit;
-  std::string text = curve.name + ": " + formulaOf(fit) + ", f of " + of.press->label +
-                     " at E0 = " + withUnit(of.press->youngs_modulus_Pa, "Pa") + ", " +
-                     std::to_string(fit.points) + " of " + counted(curve.force_N.size(), "point") + "\n";
+  std::string text = fmt::format("{}: {}, f of {} at E0 = {}, {} of {}\n", curve.name, formulaOf(fit),
+                                 of.press->label, withUnit(of.press->youngs_modulus_Pa, "Pa"), fit.points,
+                                 counted(curve.force_N.size(), "point"));
   std::vector<TextRow> rows = {{"", "value", "", "std error", "95 % interval"}};
   for (const ModulusParameter parameter : kModulusParameters) {
     const ModulusValue& value = fit.of(parameter);
@@ -125,13 +130,12 @@ std::string blockText(const MeasuredCurve& curve, const PressFit& of) {
     rows.push_back({"  " + nameOf(parameter), fourDigits(value.value), unitOf(parameter),
                     value.free ? fourDigits(value.standard_error) : "-", intervalText(value)});
   }
-  text += alignedText(rows, 1) + "  RMS residual " + fourDigits(fit.rms_N) + " N, R2 " +
-          fourDigits(fit.r_squared) + (fit.converged ? "" : ", not converged") + "\n";
+  text += fmt::format("{}  RMS residual {} N, R2 {}{}\n", alignedText(rows, 1), fourDigits(fit.rms_N),
+                      fourDigits(fit.r_squared), fit.converged ? "" : ", not converged");
   text += predictionText(fit.predictions);
   for (const std::string& note : notesOf(of)) text += "  " + note + "\n";
-  return text + "  " + assumedOf(*of.press) +
-         "\n  depths count from the step before the first reaction, known to " +
-         withUnit(of.press->first_step_m, "m") + "\n";
+  return fmt::format("{}  {}\n  depths count from the step before the first reaction, known to {}\n", text,
+                     assumedOf(*of.press), withUnit(of.press->first_step_m, "m"));
 }
 
 std::string tableText(const MeasuredCurve& curve, const std::vector<PressFit>& fits) {
@@ -140,7 +144,7 @@ std::string tableText(const MeasuredCurve& curve, const std::vector<PressFit>& f
   std::string notes;
   for (const PressFit& of : fits) {
     if (!of.problem.empty()) {
-      notes += of.press->label + ": not fitted: " + of.problem + "\n";
+      notes += fmt::format("{}: not fitted: {}\n", of.press->label, of.problem);
       continue;
     }
     const ModulusValue& modulus = of.fit.of(ModulusParameter::modulus);
@@ -154,8 +158,8 @@ std::string tableText(const MeasuredCurve& curve, const std::vector<PressFit>& f
                     predicts ? verdictOf(of.fit.predictions.back()) : ""});
     for (const std::string& note : notesOf(of)) notes += of.press->label + ": " + note + "\n";
   }
-  return curve.name + ": " + counted(fits.size(), "simulation") + ", the least misfit first\n" +
-         alignedText(rows, 1, true) + notes;
+  return fmt::format("{}: {}, the least misfit first\n{}{}", curve.name, counted(fits.size(), "simulation"),
+                     alignedText(rows, 1, true), notes);
 }
 
 Json valueJson(ModulusParameter parameter, const ModulusValue& value) {
@@ -235,8 +239,12 @@ std::vector<PressFit> fitsOf(const std::vector<PressCurve>& presses, const Measu
 
 int fitModuli(const ModulusRequest& request, const std::vector<MeasuredCurve>& curves) {
   const ModulusSettings settings = settingsOf(request);
-  const std::vector<PressCurve> presses = readAll(request.results);
-  int code = exit_good;
+  ProgressDisplay display(std::cerr, STDERR_FILENO);
+  const PressRuns runs = pressRuns(request.results, request.output, display);
+  for (const std::string& failure : runs.failures) std::cerr << failure << "\n";
+  if (runs.results.empty()) return exit_run_failed;
+  const std::vector<PressCurve> presses = readAll(runs.results);
+  int code = runs.failures.empty() ? exit_good : exit_run_failed;
   std::string text;
   Json found = Json::array();
   for (const MeasuredCurve& curve : curves) {

@@ -1,5 +1,7 @@
 #include "main/fit_output.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -48,9 +50,9 @@ std::string blockText(ForceModel law, const CurveFit& fit) {
                     fourDigits(of.lambda_over_k_s_m - of.lambda_over_k_half_width_s_m) + " to " +
                         fourDigits(of.lambda_over_k_s_m + of.lambda_over_k_half_width_s_m),
                     ""});
-  return fit.curve.name + ": " + formulaOf(law) + ", " + counted(of.points, "point") + "\n" +
-         alignedText(rows, 1) + "  RMS residual " + fourDigits(of.rms_N) + " N, R2 " +
-         fourDigits(of.r_squared) + (of.converged ? "" : ", not converged") + "\n";
+  return fmt::format("{}: {}, {}\n{}  RMS residual {} N, R2 {}{}\n", fit.curve.name, formulaOf(law),
+                     counted(of.points, "point"), alignedText(rows, 1), fourDigits(of.rms_N),
+                     fourDigits(of.r_squared), of.converged ? "" : ", not converged");
 }
 
 std::string tableText(ForceModel law, const std::vector<CurveFit>& fits) {
@@ -130,7 +132,7 @@ std::string fitText(ForceModel law, const std::vector<CurveFit>& fits) {
   const bool block = fits.size() == 1 && fits.front().problem.empty();
   std::string text = block ? blockText(law, fits.front()) : tableText(law, fits);
   for (const CurveFit& fit : fits) {
-    if (!fit.problem.empty()) text += labelOf(fit.curve) + ": not fitted: " + fit.problem + "\n";
+    if (!fit.problem.empty()) text += fmt::format("{}: not fitted: {}\n", labelOf(fit.curve), fit.problem);
     for (const std::string& note : notesOf(fit)) text += (block ? "  " : fit.curve.name + ": ") + note + "\n";
   }
   return text;

@@ -8,23 +8,23 @@
 
 namespace fissure {
 
-/// A measured curve and what came of it: a fit, or the reason why there is none.
+/// A measured curve with its fit, or the reason why there is none.
 struct CurveFit {
   MeasuredCurve curve;
   LawFit fit;
-  std::string problem;  ///< one line; empty: fitted
+  std::string problem;  ///< reason why there is no fit, one line; empty: there is one
 };
 
-/// For people: one fit as a block, several as a table with a row a curve.
+/// Fits as text for people: one fit as a block, several as a table with one row per curve.
 std::string fitText(ForceModel law, const std::vector<CurveFit>& fits);
 
-/// Its path as it was given; null: several.
+/// The curve's path as it was given; null for a curve joined from several files.
 nlohmann::ordered_json fileJson(const MeasuredCurve& curve);
 
-/// What was left out of a curve, and its warnings.
+/// Notes about rows that were left out of a curve, and its warnings.
 std::vector<std::string> curveNotes(const MeasuredCurve& curve);
 
-/// For machines.
+/// The fits for programs.
 nlohmann::ordered_json fitJson(ForceModel law, const std::vector<CurveFit>& fits);
 
 }  // namespace fissure

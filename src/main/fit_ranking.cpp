@@ -1,5 +1,7 @@
 #include "main/fit_ranking.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -20,8 +22,8 @@ constexpr std::size_t kBlock = 512;  // rows that are read at once
 const CurveQuantity& curveOf(const SweepTable& table, const std::string& name, const std::string& what_for) {
   for (const CurveQuantity& curve : table.layout().curves)
     if (curve.name == name) return curve;
-  throw InputError("the sweep keeps no curve " + name + ", " + what_for +
-                   ", expected it among its file's curves");
+  throw InputError(
+      fmt::format("the sweep keeps no curve {}, {}, expected it among its file's curves", name, what_for));
 }
 
 /// The points within what the sweep's curves reach at most.
@@ -32,8 +34,8 @@ MeasuredCurve reachable(const MeasuredCurve& curve, MatchBy by, double least, do
     if (measured[i] >= least && measured[i] <= most) reached.push_back(i);
   MeasuredCurve kept = pointsOf(curve, reached);
   if (reached.size() < measured.size())
-    kept.warnings.push_back("left out " + std::to_string(measured.size() - reached.size()) + " of " +
-                            std::to_string(measured.size()) + " points that no run reaches");
+    kept.warnings.push_back(fmt::format("left out {} of {} points that no run reaches",
+                                        measured.size() - reached.size(), measured.size()));
   const std::string note = by == MatchBy::depth ? wayBackNote(kept) : "";
   if (!note.empty()) kept.warnings.push_back(note);
   return kept;
@@ -110,8 +112,8 @@ SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, Matc
   const Ranker ranker(table, by);
   const std::vector<double>& time_s = table.layout().curve_time_s;
   if ((by == MatchBy::time ? curve.time_s : curve.depth_m).empty())
-    throw InputError(std::string("the curve has no ") + (by == MatchBy::time ? "times" : "depths") +
-                     ", expected a column of them");
+    throw InputError(fmt::format("the curve has no {}, expected a column of them",
+                                 by == MatchBy::time ? "times" : "depths"));
   if (time_s.empty()) throw InputError("the sweep keeps no curves, expected some");
   SweepRanking ranking;
   ranking.curve = by == MatchBy::time ? reachable(curve, by, time_s.front(), time_s.back())
@@ -159,9 +161,9 @@ std::string rankingText(const SweepTable& table, const SweepRanking& ranking, st
       row.push_back(axis.numeric ? number(axis.name) : text(axis.name));
     row.push_back(text("file"));
   }
-  std::string ranked = ranking.curve.name + ": " + std::to_string(compared) + " of " +
-                       std::to_string(ranking.misfits.size()) + " simulated curves compared at " +
-                       std::to_string(ranking.curve.force_N.size()) + " points\n" + alignedText(rows, 0);
+  std::string ranked =
+      fmt::format("{}: {} of {} simulated curves compared at {} points\n{}", ranking.curve.name, compared,
+                  ranking.misfits.size(), ranking.curve.force_N.size(), alignedText(rows, 0));
   for (const std::string& note : curveNotes(ranking.curve)) ranked += note + "\n";
   return ranked;
 }

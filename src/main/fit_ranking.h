@@ -11,24 +11,26 @@
 
 namespace fissure {
 
-/// The runs of a sweep in the order of their misfit to a measured curve.
+/// The runs of a sweep, sorted by their misfit to a measured curve.
 struct SweepRanking {
-  MeasuredCurve curve;  ///< its points that the sweep's curves may reach; a warning counts the others
+  /// The points within reach of the sweep's curves; a warning has the number of others.
+  MeasuredCurve curve;
   std::vector<Misfit> misfits;
 };
 
-/// By the sweep's curve `force`, one a law, over its time; by depth over its curve `indentation` (m, since
-/// first contact). Throws InputError when the table lacks them, or no run can be compared.
+/// Compares the sweep's curve `force`, of each law, with the measured curve over time, or over depth by the
+/// sweep's curve `indentation` (m, since first contact). Throws InputError when the table lacks these curves,
+/// or no run can be compared.
 SweepRanking rankSweep(const SweepTable& table, const MeasuredCurve& curve, MatchBy by,
                        std::optional<double> fixed_offset_N);
 
-/// Reads all of a table that a ranking may need: whether that is damaged.
+/// Reads all parts of a table that a ranking may need, to find out whether it is damaged.
 void readRanked(const SweepTable& table);
 
-/// For people: the best `most` runs with their axes' values.
+/// The ranking as text for people: the best `most` runs with the values of their axes.
 std::string rankingText(const SweepTable& table, const SweepRanking& ranking, std::size_t most);
 
-/// All runs, for machines.
+/// The ranking of all runs, for programs.
 nlohmann::ordered_json rankingJson(const SweepTable& table, const SweepRanking& ranking);
 
 }  // namespace fissure

@@ -5,7 +5,7 @@
 
 namespace fissure {
 
-/// Errors are one line, whatever a library puts into its messages.
+/// The message on one line: final line ends are removed, others become blanks.
 inline std::string oneLine(std::string message) {
   while (!message.empty() && message.back() == '\n') message.pop_back();
   std::replace(message.begin(), message.end(), '\n', ' ');

@@ -8,9 +8,10 @@
 
 namespace fissure {
 
-/// Writes what `make` returns to `target`, whole or not at all, in a process of its own (apart.h) which
-/// may use up `allowance`: it may read damaged files. Throws what `make` throws, as InputError or RunError,
-/// LostApart when its process is lost, Interrupted, and RunError when the file cannot be written.
+/// Calls `make` in a child process (doApart) with limits `allowance`, because it may read damaged files, and
+/// writes the text it returns to `target`, completely or not at all. Throws what `make` throws as InputError
+/// or RunError, LostApart when the child process is lost, Interrupted on request, and RunError when the file
+/// cannot be written.
 void writePageApart(const std::filesystem::path& target, const std::function<std::string()>& make,
                     const Allowance& allowance);
 

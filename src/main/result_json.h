@@ -7,10 +7,10 @@
 
 namespace fissure {
 
-/// What `info` prints, for machines; numbers that are not finite become null.
+/// The output of `fissure info` for programs; numbers that are not finite become null.
 nlohmann::ordered_json resultJson(const std::filesystem::path& file, const ResultInfo& info);
 
-/// As text: invalid UTF-8 is replaced, never an error.
+/// JSON as text; invalid UTF-8 is replaced and is no error.
 std::string jsonText(const nlohmann::ordered_json& json);
 
 }  // namespace fissure

@@ -1,15 +1,17 @@
 #include "main/result_table.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 #include <string_view>
 
 #include "compare/compare_runs.h"
 #include "main/text_table.h"
 #include "measure/verdict.h"
+#include "text/units.h"
 
 namespace fissure {
 
@@ -23,29 +25,22 @@ struct Column {
 };
 
 constexpr std::array<Column, 15> columns = {{
-    {{"worst", "depth", "mm"}, "max_penetration_depth_m", 1e3, "%.3f"},
-    {{"with in-", "version", "mm"}, "max_inversion_aware_depth_m", 1e3, "%.3f"},
-    {{"final", "depth", "mm"}, "final_penetration_depth_m", 1e3, "%.3f"},
-    {{"passed", "through", "samples"}, "passed_through_samples", 1, "%.0f"},
-    {{"inside-", "out tri-", "angles"}, "max_inverted_triangles", 1, "%.0f"},
-    {{"steps", "not", "proved"}, "uncertified_steps", 1, "%.0f"},
-    {{"below", "ground", "mm"}, "max_ground_depth_m", 1e3, "%.3f"},
-    {{"peak", "force", "N"}, "max_force_N", 1, "%.3f"},
-    {{"peak re-", "action", "N"}, "max_reaction_N", 1, "%.4g"},
-    {{"force", "rough-", "ness"}, "force_roughness", 1, "%.3g"},
-    {{"", "contacts", ""}, "contacts_total", 1, "%.0f"},
-    {{"mean", "step", "us"}, "timing/mean_step_us", 1, "%.1f"},
-    {{"p99", "step", "us"}, "timing/p99_step_us", 1, "%.1f"},
-    {{"collision", "share", "%"}, "timing/collision_share", 1e2, "%.1f"},
-    {{"real-time", "factor", ""}, "timing/real_time_factor", 1, "%.3g"},
+    {{"worst", "depth", "mm"}, "max_penetration_depth_m", 1e3, "{:.3f}"},
+    {{"with in-", "version", "mm"}, "max_inversion_aware_depth_m", 1e3, "{:.3f}"},
+    {{"final", "depth", "mm"}, "final_penetration_depth_m", 1e3, "{:.3f}"},
+    {{"passed", "through", "samples"}, "passed_through_samples", 1, "{:.0f}"},
+    {{"inside-", "out tri-", "angles"}, "max_inverted_triangles", 1, "{:.0f}"},
+    {{"steps", "not", "proved"}, "uncertified_steps", 1, "{:.0f}"},
+    {{"below", "ground", "mm"}, "max_ground_depth_m", 1e3, "{:.3f}"},
+    {{"peak", "force", "N"}, "max_force_N", 1, "{:.3f}"},
+    {{"peak re-", "action", "N"}, "max_reaction_N", 1, "{:.4g}"},
+    {{"force", "rough-", "ness"}, "force_roughness", 1, "{:.3g}"},
+    {{"contacts", "over all", "steps"}, "contacts_total", 1, "{:.0f}"},
+    {{"mean", "step", "us"}, "timing/mean_step_us", 1, "{:.1f}"},
+    {{"p99", "step", "us"}, "timing/p99_step_us", 1, "{:.1f}"},
+    {{"collision", "share", "%"}, "timing/collision_share", 1e2, "{:.1f}"},
+    {{"real-time", "factor", ""}, "timing/real_time_factor", 1, "{:.3g}"},
 }};
-
-std::string number(double value, const char* format) {
-  if (std::isnan(value)) return "nan";
-  std::array<char, 64> text = {};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 std::string cell(const Column& column, const Summary& summary) {
   for (const SummaryValue& value : summary) {
@@ -53,9 +48,8 @@ std::string cell(const Column& column, const Summary& summary) {
     if (const double* real = std::get_if<double>(&value.value))
       return std::isnan(*real) && mayBeMissing("summary/" + value.name)
                  ? "-"
-                 : number(*real * column.scale, column.format);
-    if (const long long* count = std::get_if<long long>(&value.value))
-      return number(static_cast<double>(*count) * column.scale, column.format);
+                 : numberText(column.format, *real * column.scale);
+    if (const long long* count = std::get_if<long long>(&value.value)) return std::to_string(*count);
     return std::get<std::string>(value.value);
   }
   return "-";
@@ -67,8 +61,8 @@ std::string overflows(const PipelineResult& pipeline) {
   std::string text;
   for (const SummaryValue& value : pipeline.summary)
     if (value.name.starts_with(name))
-      text += pipeline.name + ": the force of law " + value.name.substr(name.size()) +
-              " is not finite, first at step " + summaryText(value) + "\n";
+      text += fmt::format("{}: the force of law {} is not finite, first at step {}\n", pipeline.name,
+                          value.name.substr(name.size()), summaryText(value));
   return text;
 }
 
@@ -86,7 +80,7 @@ std::string remarkLines(const std::vector<PipelineResult>& pipelines) {
     }
   }
   std::string text;
-  for (const auto& [remark, runs] : lines) text += runs + ": " + remark + "\n";
+  for (const auto& [remark, runs] : lines) text += fmt::format("{}: {}\n", runs, remark);
   for (const PipelineResult& pipeline : pipelines)
     if (const std::string note = reactionNote(pipeline.summary); !note.empty()) return text + note + "\n";
   return text;
@@ -109,10 +103,34 @@ std::string resultTable(const std::vector<PipelineResult>& pipelines) {
     row.push_back(verdictOf(pipeline.summary).text);
     rows.push_back(row);
     if (pipeline.status.end != RunEnd::ok)
-      details += pipeline.name + ": " + nameOf(pipeline.status.end) + ": " + pipeline.status.detail + "\n";
+      details +=
+          fmt::format("{}: {}: {}\n", pipeline.name, nameOf(pipeline.status.end), pipeline.status.detail);
     details += overflows(pipeline);
   }
   return alignedText(rows, 2, true) + details + remarkLines(pipelines);
+}
+
+std::string summaryTable(const std::vector<PipelineResult>& pipelines) {
+  std::vector<TextRow> rows = {{"summary"}};
+  for (const PipelineResult& pipeline : pipelines) {
+    rows.front().push_back(pipeline.name);
+    for (const SummaryValue& value : pipeline.summary) {
+      const bool known =
+          std::any_of(rows.begin(), rows.end(), [&](const TextRow& row) { return row[0] == value.name; });
+      if (!known && !std::holds_alternative<std::string>(value.value)) rows.push_back({value.name});
+    }
+  }
+  for (auto row = rows.begin() + 1; row != rows.end(); ++row) {
+    const std::string name = row->front();
+    const Column column{.header = {}, .quantity = name, .scale = 1, .format = "{:.6g}"};
+    for (const PipelineResult& pipeline : pipelines) row->push_back(cell(column, pipeline.summary));
+  }
+  std::string texts;
+  for (const PipelineResult& pipeline : pipelines)
+    for (const SummaryValue& value : pipeline.summary)
+      if (const std::string* text = std::get_if<std::string>(&value.value))
+        texts += fmt::format("{}: {}: {}\n", pipeline.name, value.name, *text);
+  return alignedText(rows, 1) + texts;
 }
 
 std::string summaryText(const SummaryValue& value) {

@@ -5,10 +5,10 @@
 
 namespace fissure {
 
-/// All but dry_run.
+/// Adds the options of all members but dry_run; `options` must outlive `command`.
 void addSlurmOptions(Command command, SlurmOptions& options);
 
-/// For another engine: throws InputError when any is given.
+/// Throws InputError when any of these options is given, for engines other than Slurm.
 void refuseSlurmOptions(const SlurmOptions& options);
 
 }  // namespace fissure

@@ -1,5 +1,7 @@
 #include "main/sweep_info.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -64,9 +66,9 @@ std::string listed(const std::vector<std::string>& names) {
 
 std::string sweepInfoText(const SweepTable& table) {
   const SweepTableLayout& layout = table.layout();
-  std::string text = layout.title + "\nfissure-sweep, version 1" +
-                     (table.complete() ? "" : ", not complete: runs are missing") + "\n\n" +
-                     std::to_string(table.runs()) + " runs, design " + layout.design + "\n";
+  std::string text =
+      fmt::format("{}\nfissure-sweep, version 1{}\n\n{} runs, design {}\n", layout.title,
+                  table.complete() ? "" : ", not complete: runs are missing", table.runs(), layout.design);
   std::vector<TextRow> rows = {{"pipeline", "status", "runs"}};
   for (const auto& [pipeline, ends] : endsOf(table))
     for (const auto& [status, count] : ends) rows.push_back({pipeline, status, std::to_string(count)});
@@ -80,9 +82,9 @@ std::string sweepInfoText(const SweepTable& table) {
   std::vector<std::string> metrics, curves;
   for (const SweepMetric& metric : layout.metrics) metrics.push_back(withUnitOf(metric.name));
   for (const CurveQuantity& curve : layout.curves)
-    curves.push_back(curve.name + " (" + curve.units + "), " + std::to_string(layout.curve_time_s.size()) +
-                     " instants" + (curve.per_law ? ", each law" : ""));
-  text += "\nquantities\n" + listed(metrics) + "\ncurves\n" + listed(curves);
+    curves.push_back(fmt::format("{} ({}), {} instants{}", curve.name, curve.units,
+                                 layout.curve_time_s.size(), curve.per_law ? ", each law" : ""));
+  text += fmt::format("\nquantities\n{}\ncurves\n{}", listed(metrics), listed(curves));
   rows.clear();
   for (const auto& [name, value] : layout.provenance) rows.push_back({"  " + name, value});
   return text + "\nprovenance\n" + alignedText(rows, 2);

@@ -8,10 +8,11 @@
 
 namespace fissure {
 
-/// What `info` says of a sweep's table: how its runs ended, its axes, quantities, curves and provenance.
+/// The output of `fissure info` for a sweep's table: how its runs ended, its axes, quantities, curves and
+/// provenance.
 std::string sweepInfoText(const SweepTable& table);
 
-/// The same for machines.
+/// The same for programs.
 nlohmann::ordered_json sweepInfoJson(const std::filesystem::path& file, const SweepTable& table);
 
 }  // namespace fissure

@@ -1,8 +1,12 @@
 #include "main/text_table.h"
 
+#include <fmt/core.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
+
+#include "process/progress_display.h"
 
 namespace fissure {
 
@@ -10,17 +14,33 @@ std::string alignedText(const std::vector<TextRow>& rows, std::size_t left, bool
   std::vector<std::size_t> widths(rows.empty() ? 0 : rows.front().size(), 0);
   for (const TextRow& row : rows)
     for (std::size_t c = 0; c < row.size(); ++c) widths[c] = std::max(widths[c], row[c].size());
+  const std::size_t most = terminalColumns(STDOUT_FILENO).value_or(std::string::npos);
   std::string text;
-  for (const TextRow& row : rows) {
-    std::string line;
-    for (std::size_t c = 0; c < row.size(); ++c) {
-      const std::string blanks(widths[c] - row[c].size(), ' ');
-      const bool to_left = c < left || (last_left && c + 1 == row.size());
-      line += (c > 0 ? "  " : "") + (to_left ? row[c] + blanks : blanks + row[c]);
+  std::vector<std::size_t> block = {0};
+  std::size_t width = widths.empty() ? 0 : widths[0];
+  const auto printBlock = [&] {
+    text += text.empty() ? "" : "\n";
+    for (const TextRow& row : rows) {
+      std::string line;
+      for (const std::size_t c : block) {
+        const std::string blanks(widths[c] - row[c].size(), ' ');
+        const bool to_left = c < left || (last_left && c + 1 == row.size());
+        line += (c > 0 ? "  " : "") + (to_left ? row[c] + blanks : blanks + row[c]);
+      }
+      line.erase(line.find_last_not_of(' ') + 1);
+      text += line + "\n";
     }
-    line.erase(line.find_last_not_of(' ') + 1);
-    text += line + "\n";
+  };
+  for (std::size_t c = 1; c < widths.size(); ++c) {
+    if (block.size() > 1 && width + 2 + widths[c] > most) {
+      printBlock();
+      block = {0};
+      width = widths[0];
+    }
+    block.push_back(c);
+    width += 2 + widths[c];
   }
+  printBlock();
   return text;
 }
 
@@ -31,9 +51,7 @@ std::string sizeText(double bytes) {
     bytes /= 1000;
     ++unit;
   }
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", bytes, units[unit]);
-  return text.data();
+  return fmt::format("{:.{}f} {}", bytes, unit == 0 ? 0 : 1, units[unit]);
 }
 
 }  // namespace fissure

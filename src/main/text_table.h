@@ -8,11 +8,13 @@ namespace fissure {
 
 using TextRow = std::vector<std::string>;
 
-/// Rows of equal length as lines: the first `left` columns to the left, the others to the right (the last one
-/// to the left too where `last_left`), two blanks between columns, none at the ends of lines.
+/// Rows of equal length as aligned lines: the first `left` columns are left-aligned, the others right-aligned
+/// (the last one left-aligned where `last_left`), with two blanks between columns and none at line ends.
+/// Where standard output is a terminal that is too narrow, the columns are split into several tables, each
+/// with the first column.
 std::string alignedText(const std::vector<TextRow>& rows, std::size_t left, bool last_left = false);
 
-/// "12 B", "3.1 MB".
+/// A size for people: "12 B", "3.1 MB".
 std::string sizeText(double bytes);
 
 }  // namespace fissure

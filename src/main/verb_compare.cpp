@@ -123,6 +123,7 @@ Verb addCompare(Command app) {
   };
   const auto options = std::make_shared<CompareOptions>();
   Command command = app.command("compare", "how two results, or two runs of one, differ");
+  command.example("fissure compare new.h5 old.h5 --tolerance tolerances.yaml");
   command.option("A", options->a, "result file, or FILE:NAME for one run of it")
       .required()
       .check(problemOfChoice);

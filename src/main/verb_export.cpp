@@ -118,6 +118,7 @@ Verb addExport(Command app) {
   const auto options = std::make_shared<ExportOptions>();
   Command command = app.command(
       "export", "snapshots of a result for ParaView: a .xdmf a run (any version), .vtkhdf files (5.12 on)");
+  command.example("fissure export out/press.h5 --pipeline fukuhara");
   command.option("RESULT", options->result, "result file with snapshots").required().notEmpty();
   command.option("--pipeline", options->pipelines, "only this run (repeatable); default: all with snapshots")
       .repeated();

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iostream>
@@ -5,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "calibrate/press_runs.h"
 #include "fit/simulated_model.h"
 #include "main/comparison.h"
 #include "main/exit_codes.h"
@@ -14,6 +17,7 @@
 #include "main/result_json.h"
 #include "main/verbs.h"
 #include "process/apart.h"
+#include "sweep/sweep_file.h"
 #include "text/did_you_mean.h"
 #include "text/lists.h"
 #include "text/scalars.h"
@@ -29,6 +33,7 @@ struct FitOptions {
   std::string free;
   std::vector<std::string> fixed;
   std::string result, sweep, match;
+  PressOutput output;
   std::vector<std::string> modulus;
   std::optional<double> most_depth_m;
   std::size_t best = 20;
@@ -60,8 +65,8 @@ FitParameter parameterOf(const std::string& option, const std::string& name, For
     if (name == nameOf(law, parameter)) return parameter;
     known.push_back(nameOf(law, parameter));
   }
-  throw InputError(option + ": " + std::string(entryOf(law).name) + " has no coefficient \"" + name + "\"" +
-                   didYouMean(name, known));
+  throw InputError(fmt::format("{}: {} has no coefficient \"{}\"{}", option, entryOf(law).name, name,
+                               didYouMean(name, known)));
 }
 
 std::pair<FitParameter, double> parseFixed(const std::string& text, ForceModel law) {
@@ -223,21 +228,35 @@ int rankRuns(const FitOptions& options, const std::vector<MeasuredCurve>& curves
   return code;
 }
 
+/// Scenarios and sweeps can be named beside --modulus alone. `expected`: "a result"; `type`: what makes one.
+void refuseYaml(const std::string& option, const std::string& file, const std::string& expected) {
+  if (!isToSimulate(file)) return;
+  const std::string what = isSweepFile(file) ? "sweep" : "scenario";
+  throw InputError(fmt::format("{0}{1}: a {2}, expected {3}; type: fissure {4} {1}", option, file, what,
+                               expected, what == "sweep" ? "sweep" : "run"));
+}
+
 int fit(const FitOptions& options) {
+  for (const std::string& file : options.files) refuseYaml("", file, "a table of measured points");
+  refuseYaml("--result ", options.result, "the result of one");
+  refuseYaml("--sweep ", options.sweep, "the folder of a sweep that has run");
   if (!options.match.empty() && options.result.empty() && options.sweep.empty())
     throw InputError("--match " + options.match + ": nothing is simulated, expected --result or --sweep too");
   const std::vector<MeasuredCurve> curves = readAll(options);
   if (!options.modulus.empty())
-    return fitModuli({options.modulus, options.free, options.fixed, options.most_depth_m, options.json},
-                     curves);
+    return fitModuli(
+        {options.modulus, options.output, options.free, options.fixed, options.most_depth_m, options.json},
+        curves);
   return options.sweep.empty() ? fitCurves(options, curves) : rankRuns(options, curves);
 }
 
 }  // namespace
 
-Verb addFit(Command app) {
+Verb addFit(Command app, const std::string& command_line) {
   const auto options = std::make_shared<FitOptions>();
+  options->output.command_line = command_line;
   Command command = app.command("fit", "force laws fitted to measured curves, and sweeps ranked by them");
+  command.example("fissure fit measured.csv --law hunt_crossley --fix lambda=0");
   command.option("CURVE", options->files, "tables (CSV, TSV) of measured points, one line a point")
       .required()
       .notEmpty();
@@ -265,9 +284,11 @@ Verb addFit(Command app) {
                            .without(free);
   const Option modulus =
       command
-          .option("--modulus", options->modulus,
-                  "RESULT[:RUN]: Young's modulus E of an elastic body, whose force f(d) this slow press "
-                  "simulated at E0, as F = E/E0 f(d + d0) + F0; repeated, results are ranked by their misfit")
+          .option(
+              "--modulus", options->modulus,
+              "RESULT[:RUN]: Young's modulus E of an elastic body, whose force f(d) this slow press "
+              "simulated at E0, as F = E/E0 f(d + d0) + F0; repeated, results are ranked by their misfit; "
+              "scenarios and sweeps (.yaml) are simulated first, unless --out has them finished")
           .repeated()
           .without(law)
           .without(result)
@@ -276,6 +297,10 @@ Verb addFit(Command app) {
       .option("--most-depth", options->most_depth_m,
               "with --modulus: deeper points (m) are not fitted but predicted, beside what was measured")
       .between(1e-6, 10.0)
+      .needs(modulus);
+  command.option("--out", options->output.folder, "with --modulus: folder for what is simulated for it")
+      .notEmpty()
+      .showDefault()
       .needs(modulus);
   command
       .option("--match", options->match,

@@ -30,7 +30,8 @@ void printText(const ResultInfo& info) {
             << info.format << ", version " << info.format_version << (info.complete ? "" : ", not complete")
             << (info.reference ? ", a reference: a few rows of each series" : "")
             << (info.salvaged ? ", salvaged from a run that did not finish" : "") << "\n\n"
-            << resultTable(info.pipelines) << "\nprovenance\n";
+            << resultTable(info.pipelines) << "\n"
+            << summaryTable(info.pipelines) << "\nprovenance\n";
   for (const auto& [name, value] : info.provenance)
     std::cout << "  " << std::left << std::setw(18) << name << value << "\n";
   std::cout << "\ndatasets\n";
@@ -77,6 +78,7 @@ Verb addInfo(Command app) {
   const auto options = std::make_shared<InfoOptions>();
   Command command =
       app.command("info", "what a result file or a sweep's table holds and where it comes from");
+  command.example("fissure info out/press.h5");
   command.option("FILE", options->file, "result file, or sweep.h5").required();
   command.flag("--json", options->json, "the same for machines");
   return {command, [options] { return showFile(*options); }};

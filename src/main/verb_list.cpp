@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <array>
 #include <iomanip>
 #include <iostream>
@@ -7,8 +9,10 @@
 #include "law/force_law.h"
 #include "main/exit_codes.h"
 #include "main/verbs.h"
+#include "process/progress_display.h"
 #include "scenario/catalog.h"
 #include "text/scalars.h"
+#include "text/wrapped.h"
 
 namespace fissure {
 
@@ -16,10 +20,9 @@ namespace {
 
 constexpr std::string_view tissues_title =
     "tissues (fits F = k d^n to the depth d of a whole probe with a round tip of 4 mm radius in liver, 3.16 "
-    "mm else:\n"
-    "  github.com/vu-arma-dev/robot-palpation-data. A law sums over triangles, so its exponent is then the "
-    "tissue's,\n"
-    "  the size of its force is not. lambda = k x 0.5 s/m is an assumption)";
+    "mm else: github.com/vu-arma-dev/robot-palpation-data. A law sums over triangles, so its exponent is "
+    "then "
+    "the tissue's, the size of its force is not. lambda = k x 0.5 s/m is an assumption)";
 
 /// "k 200 N/m^n, lambda 50 N s/m^(n+1), n 1.3": what a scenario that leaves them out gets.
 std::string defaultsOf(const ForceLawEntry& law) {
@@ -61,13 +64,14 @@ int listCatalog() {
                                         {"length units", tables.length_units},
                                         {"time units", tables.time_units},
                                         {"mesh repairs", tables.mesh_repairs}}};
+  const std::size_t columns = terminalColumns(STDOUT_FILENO).value_or(std::string::npos);
   for (const auto& [title, entries] : named) {
-    std::cout << title << "\n";
+    std::cout << wrapped(std::string(title), 2, columns);
     for (const CatalogEntry& entry : entries) {
-      std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << entry.description;
+      std::string text(entry.description);
       if (&entries == &tables.force_laws)
-        std::cout << " (default: " << defaultsOf(entryOf(*modelNamed(entry.name))) << ")";
-      std::cout << "\n";
+        text += " (default: " + defaultsOf(entryOf(*modelNamed(entry.name))) + ")";
+      std::cout << "  " << std::left << std::setw(20) << entry.name << "  " << wrapped(text, 24, columns);
     }
   }
   return exit_good;
@@ -76,7 +80,9 @@ int listCatalog() {
 }  // namespace
 
 Verb addList(Command app) {
-  return {app.command("list", "what a scenario can choose from"), [] { return listCatalog(); }};
+  Command command = app.command("list", "what a scenario can choose from");
+  command.example("fissure list | less");
+  return {command, [] { return listCatalog(); }};
 }
 
 }  // namespace fissure

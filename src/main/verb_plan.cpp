@@ -2,7 +2,10 @@
 #include <cmath>
 #include <iostream>
 #include <memory>
+#include <optional>
 
+#include "base/error.h"
+#include "batch/pilot_runs.h"
 #include "check/run_plan.h"
 #include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
@@ -14,6 +17,7 @@
 #include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
 #include "text/units.h"
+#include "text/wrapped_text.h"
 
 namespace fissure {
 
@@ -36,7 +40,8 @@ void printReplay(const ToolMotion& settings, const Motion& motion) {
 /// "    motion: at most 0.1 m/s and 3.2 m/s2"
 void printPeaks(const MotionPeaks& peaks) {
   std::cout << "    motion: at most " << fourDigits(peaks.speed_m_s()) << " m/s";
-  if (!std::isnan(peaks.acceleration_m_s2()))
+  // Of a motion without any there are roundings left.
+  if (peaks.acceleration_m_s2() > 1e-6)
     std::cout << " and " << fourDigits(peaks.acceleration_m_s2()) << " m/s2";
   std::cout << "\n";
 }
@@ -135,9 +140,11 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
                       ? ""
                       : ", " + nameIn(catalog().deformations, law.deformation))
               << (law.per_area ? ", per area" : "") << ")\n";
-  std::cout << "  record:";
-  for (const std::string& name : plan.series) std::cout << " " << name;
-  std::cout << "; " << sizeText(plan.record_bytes) << "\n";
+  std::vector<std::string> words = {"record:"};
+  words.insert(words.end(), plan.series.begin(), plan.series.end());
+  words.back() += ";";
+  words.push_back(sizeText(plan.record_bytes));
+  std::cout << wrappedText(words, 2);
   if (scenario.record.force_inputs)
     std::cout << "  force inputs: what " << scenario.force.size() << " laws see of each colliding triangle; "
               << plan.force_input_bytes << " B a triangle and step, not in the size below\n";
@@ -149,27 +156,63 @@ void printRun(const Scenario& scenario, const RunPlan& plan) {
               << " before compression\n";
 }
 
-int printPlans(const ScenarioOptions& options) {
-  for (const std::string& file : options.files) {
-    const CheckedScenario checked = checkScenario(file, options.selection());
+struct PlanOptions {
+  ScenarioOptions scenarios;
+  std::optional<int> pilot;
+  bool resolved = false;
+};
+
+/// The scenario with every default written out, for `run`.
+int printResolved(const ScenarioOptions& options) {
+  if (options.files.size() > 1) throw InputError("--resolved prints one scenario, expected one file");
+  std::cout << checkScenario(options.files.front(), options.selection()).loaded.resolved;
+  return exit_good;
+}
+
+int printPlans(const PlanOptions& options) {
+  int code = exit_good;
+  for (const std::string& file : options.scenarios.files) {
+    const CheckedScenario checked = checkScenario(file, options.scenarios.selection());
     printScene(checked);
+    std::vector<PilotRun> pilots;
+    if (options.pilot) {
+      std::cout.flush();
+      Interrupt interrupt;
+      pilots = runPilots(checked, *options.pilot, interrupt);
+    }
     double bytes = 0;
     for (const RunPlan& plan : planRuns(checked)) {
       printRun(checked.loaded.scenario, plan);
       bytes += plan.bytes();
+      if (pilots.empty()) continue;
+      const auto run = static_cast<std::size_t>(plan.pipeline - &checked.loaded.scenario.pipelines.front());
+      std::cout << "  time: " << forecastLine(pilots[run], plan.pipeline->time_limit_s) << "\n";
+      if (!pilots[run].forecast) code = exit_run_failed;
     }
     std::cout << "result: about " << sizeText(bytes) << "\n";
   }
-  return exit_good;
+  return code;
 }
 
 }  // namespace
 
 Verb addPlan(Command app) {
-  const auto options = std::make_shared<ScenarioOptions>();
+  const auto options = std::make_shared<PlanOptions>();
   Command command = app.command("plan", "what each run will do and keep, without running it");
-  addScenarioOptions(command, *options);
-  return {command, [options] { return printPlans(*options); }};
+  addScenarioOptions(command, options->scenarios);
+  command.flag(
+      "--resolved", options->resolved,
+      "print the scenario itself, every default written out: YAML for the same folder, which names of "
+      "files start from");
+  command
+      .option(
+          "--pilot", options->pilot,
+          "simulate about one of so many steps (10, say), with the tools on the same path, to say how long "
+          "each run takes; nothing of that is kept")
+      .between(2, 1000);
+  command.example("fissure plan press.yaml --resolved > press_resolved.yaml");
+  return {command,
+          [options] { return options->resolved ? printResolved(options->scenarios) : printPlans(*options); }};
 }
 
 }  // namespace fissure

@@ -129,6 +129,7 @@ Verb addRender(Command app) {
   const auto options = std::make_shared<RenderOptions>();
   Command command =
       app.command("render", "pictures and videos of a result's snapshots, its runs side by side");
+  command.example("fissure render out/press.h5 --video press.mp4 --slow-motion 4");
   command.option("RESULT", options->result, "result file, or FILE:NAME for one run of it")
       .required()
       .notEmpty();

@@ -12,6 +12,7 @@
 #include "main/verbs.h"
 #include "process/apart.h"
 #include "process/interrupt.h"
+#include "report/history_page.h"
 #include "report/page.h"
 #include "report/page_data.h"
 #include "report/sweep_page.h"
@@ -72,7 +73,6 @@ std::vector<fs::path> resultsBelow(const fs::path& folder) {
     entry.increment(error);
   }
   if (error) throw InputError(inFile(folder), "cannot be read: " + error.message());
-  if (results.empty()) throw InputError(inFile(folder), "holds no result, expected *.h5 files");
   std::sort(results.begin(), results.end());
   return results;
 }
@@ -142,11 +142,29 @@ int stopped() {
   return exit_interrupted;
 }
 
+/// The history of benchmarks in a folder that holds files of scripts/bench and no results.
+int reportHistory(const ReportOptions& options, const fs::path& output) {
+  for (const fs::path& file : benchFilesIn(options.input))
+    if (sameFile(file, output))
+      throw InputError(inFile(output), "is one of its files, expected another name for the page");
+  const OutputClaim claim(output, options.force);
+  const BenchHistory history = readBenchHistory(options.input);
+  const std::string name = fs::canonical(options.input).filename().string();
+  writePageApart(output, [&] { return pageText(historyPage(name, program(), history)); },
+                 {.processor_s = 60});
+  for (const BenchHistory::Problem& problem : history.problems)
+    std::cout << "not shown: " << problem.file << ": " << problem.text << "\n";
+  std::cout << "page: " << output.string() << "\n";
+  return exit_good;
+}
+
 int reportFolder(const ReportOptions& options) {
   if (!options.video.empty()) throw InputError("--video: is of one result, expected no folder beside it");
   const fs::path table =
       options.output.empty() ? fs::path(options.input) / "index.html" : fs::path(options.output);
   const std::vector<fs::path> results = resultsBelow(options.input);
+  if (results.empty() && !benchFilesIn(options.input).empty()) return reportHistory(options, table);
+  if (results.empty()) throw InputError(inFile(options.input), "holds no result, expected *.h5 files");
   checkPages(results, table, options);
   const OutputClaim claim(table, options.force);
   Interrupt interrupt;
@@ -189,10 +207,13 @@ int reportResult(const ReportOptions& options) {
 Verb addReport(Command app) {
   const auto options = std::make_shared<ReportOptions>();
   Command command = app.command(
-      "report", "one page for a browser that shows a result, a sweep, or a table of all below a folder");
+      "report",
+      "one page for a browser that shows a result, a sweep, a table of all below a folder, or benchmarks");
+  command.example("fissure report out/press.h5");
   command
       .option("RESULT", options->input,
-              "result file, sweep.h5, a sweep's folder, or a folder with result files below it")
+              "result file, sweep.h5, a sweep's folder, or a folder with result files below it, or with "
+              "files of scripts/bench")
       .required()
       .notEmpty();
   command

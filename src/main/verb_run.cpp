@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "batch/batch.h"
+#include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
 #include "main/result_json.h"
 #include "main/result_table.h"
@@ -29,18 +30,21 @@ struct RunOptions {
 
 fs::path outputOf(const RunOptions& options, const CheckedScenario& checked) {
   if (!options.output.empty()) return options.output;
-  return fs::path("results") / (checked.loaded.scenario.name + ".h5");
+  return fs::path("out") / (checked.loaded.scenario.name + ".h5");
 }
 
 /// All scenarios are checked before the first file is made, and all files can be written before the first run
-/// starts.
+/// starts. Warnings come last: what is refused is one line.
 std::vector<Experiment> prepare(const RunOptions& options) {
   if (!options.output.empty() && options.scenarios.files.size() > 1)
     throw InputError("-o " + options.output +
                      ": names one file for several scenarios, expected one scenario");
   std::vector<CheckedScenario> checked;
+  std::vector<std::string> warnings;
   for (const std::string& file : options.scenarios.files) {
     checked.push_back(checkScenario(file, options.scenarios.selection()));
+    for (const std::string& warning : scenarioWarnings(checked.back()))
+      warnings.push_back(std::string(file).append(": ").append(warning));
     checked.back().prepared = {};  // workers build their own
   }
   for (std::size_t i = 0; i < checked.size(); ++i)
@@ -55,6 +59,7 @@ std::vector<Experiment> prepare(const RunOptions& options) {
     const fs::path output = outputOf(options, scenario);
     experiments.emplace_back(std::move(scenario), output, options.rules);
   }
+  for (const std::string& warning : warnings) std::cerr << warning << "\n";
   return experiments;
 }
 
@@ -147,9 +152,9 @@ int runScenarios(const RunOptions& options, const std::string& command_line) {
 Verb addRun(Command app, const std::string& command_line) {
   const auto options = std::make_shared<RunOptions>();
   Command command = app.command("run", "simulate scenarios and write one result file for each");
+  command.example("fissure run press.yaml -j 2 --set tools.spatula.motion.segments.0.speed_m_s=0.2");
   addScenarioOptions(command, options->scenarios);
-  command.option("-o,--output", options->output, "result file; default: results/<scenario's name>.h5")
-      .notEmpty();
+  command.option("-o,--output", options->output, "result file; default: out/<scenario's name>.h5").notEmpty();
   command.flag("--force", options->rules.replace, "replace an existing result");
   command.flag("--keep-parts", options->rules.keep_parts,
                "keep what unfinished runs have written, as <result>.<run>.part, for salvage");

@@ -42,7 +42,7 @@ LoadedScenario scenarioOf(const PartContent& content, const std::string& part) {
 fs::path outputOf(const SalvageOptions& options, const LoadedScenario& loaded) {
   if (!options.output.empty()) return options.output;
   const Scenario& scenario = loaded.scenario;
-  return fs::path("results") / (scenario.name + "." + scenario.pipelines.front().name + ".salvaged.h5");
+  return fs::path("out") / (scenario.name + "." + scenario.pipelines.front().name + ".salvaged.h5");
 }
 
 int salvage(const SalvageOptions& options, const std::string& command_line) {
@@ -66,14 +66,14 @@ Verb addSalvage(Command app, const std::string& command_line) {
   const auto options = std::make_shared<SalvageOptions>();
   Command command =
       app.command("salvage", "make a result of what a run that was killed had brought to the disk");
+  command.example("fissure salvage out/press.h5.fukuhara.part");
   command
       .option("PART", options->part,
               "part file: <result>.<run>.part, or .<result>.*/*.part after the death of fissure itself")
       .required()
       .notEmpty();
   command
-      .option("-o,--output", options->output,
-              "result file; default: results/<scenario's name>.<run>.salvaged.h5")
+      .option("-o,--output", options->output, "result file; default: out/<scenario's name>.<run>.salvaged.h5")
       .notEmpty();
   command.flag("--force", options->force, "replace an existing result");
   return {command, [options, command_line] { return salvage(*options, command_line); }};

@@ -5,7 +5,6 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "base/counted.h"
 #include "base/error.h"
@@ -13,14 +12,18 @@
 #include "batch/provenance.h"
 #include "main/exit_codes.h"
 #include "main/result_json.h"
+#include "main/shard.h"
 #include "main/slurm_options.h"
 #include "main/text_table.h"
 #include "main/verbs.h"
+#include "sweep/plan_text.h"
 #include "sweep/sweep_estimate.h"
 #include "sweep/sweep_merge.h"
 #include "sweep/sweep_planning.h"
 #include "sweep/sweep_results.h"
 #include "sweep/sweep_session.h"
+#include "sweep/sweep_why.h"
+#include "text/did_you_mean.h"
 #include "text/scalars.h"
 #include "text/text_file.h"
 
@@ -30,10 +33,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Shard {
-  std::size_t index = 1, count = 1;
-};
-
 struct SweepOptions {
   std::string sweep;  ///< file, or the folder of a planned one
   std::string folder;
@@ -41,23 +40,14 @@ struct SweepOptions {
   std::optional<int> slots;
   SlurmOptions slurm;
   bool dry_run = false;
+  bool why = false;
   bool allow_many_runs = false;
   bool fail_fast = false;
   bool json = false;
   std::string command_line;
 };
 
-Shard parseShard(const std::string& text) {
-  if (text.empty()) return {};
-  const std::size_t slash = text.find('/');
-  const std::optional<int> index = toInt(text.substr(0, slash));
-  const std::optional<int> count = slash == std::string::npos ? std::nullopt : toInt(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *count < *index)
-    throw InputError("--shard " + text + ": not a shard, expected I/N with I from 1 to N");
-  return {static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
-}
-
-/// Where the sweep's folder is; default: results/<name of the file without .yaml>.
+/// Where the sweep's folder is; default: out/<the sweep's name>.
 fs::path folderOf(const SweepOptions& options) {
   std::error_code ignored;
   if (fs::is_directory(options.sweep, ignored)) {
@@ -67,38 +57,7 @@ fs::path folderOf(const SweepOptions& options) {
     return options.sweep;
   }
   if (!options.folder.empty()) return options.folder;
-  return fs::path("results") / fs::path(options.sweep).stem();
-}
-
-std::string axisText(const SweepPoints& points, std::size_t axis) {
-  std::set<std::string> texts;
-  std::optional<double> least, most;
-  bool numeric = true;
-  for (std::size_t point = 0; point < points.size(); ++point) {
-    const std::string& text = points.value(point, axis);
-    texts.insert(text);
-    const std::optional<double> number = toReal(text);
-    numeric &= number.has_value();
-    if (!number) continue;
-    least = std::min(least.value_or(*number), *number);
-    most = std::max(most.value_or(*number), *number);
-  }
-  std::string text = "  " + points.paths()[axis] + ": " + counted(texts.size(), "value");
-  if (numeric) return text + ", " + formatReal(*least) + " to " + formatReal(*most);
-  if (texts.size() > 6) return text;
-  text += ":";
-  for (const std::string& value : texts) text += " " + value;
-  return text;
-}
-
-void printPlan(const SweepPlan& plan, std::ostream& out) {
-  const SweepManifest& manifest = plan.manifest();
-  out << "sweep " << manifest.settings.name << ": " << counted(manifest.points.size(), "point") << " x "
-      << counted(manifest.pipelines.size(), "pipeline");
-  if (manifest.settings.repeats > 1) out << " x " << manifest.settings.repeats << " repeats";
-  out << " = " << counted(plan.runs(), "run") << " in " << counted(plan.tasks().size(), "simulation") << "\n";
-  for (std::size_t a = 0; a < manifest.points.paths().size(); ++a)
-    out << axisText(manifest.points, a) << (plan.isLawAxis(a) ? " (moves nothing)" : "") << "\n";
+  return fs::path("out") / loadSweep(options.sweep).name;
 }
 
 void printEstimate(const SweepEstimate& estimate, std::size_t tasks, std::size_t all, int slots,
@@ -142,6 +101,14 @@ std::map<std::string, std::size_t> byName(const std::map<RunEnd, std::size_t>& c
   return named;
 }
 
+/// What else is in the journals.
+void printRest(const SweepState& state, std::ostream& out) {
+  if (state.unplannedRecords() > 0)
+    out << counted(state.unplannedRecords(), "record") << " of an earlier form of the sweep\n";
+  for (const fs::path& journal : state.damaged())
+    out << journal.string() << ": its end is torn or damaged, what it held is made again\n";
+}
+
 void printCounts(const SweepPlan& plan, const SweepState& state) {
   std::cout << counted(plan.runs(), "run") << ":";
   const char* comma = " ";
@@ -150,10 +117,7 @@ void printCounts(const SweepPlan& plan, const SweepState& state) {
     comma = ", ";
   }
   std::cout << "\n";
-  if (state.unplannedRecords() > 0)
-    std::cout << counted(state.unplannedRecords(), "record") << " of an earlier form of the sweep\n";
-  for (const fs::path& journal : state.damaged())
-    std::cout << journal.string() << ": its end is torn or damaged, what it held is made again\n";
+  printRest(state, std::cout);
 }
 
 nlohmann::ordered_json dryRunJson(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
@@ -274,7 +238,8 @@ int simulate(const SweepState& state, const fs::path& folder, std::vector<std::s
 int runSweep(const SweepOptions& options) {
   const fs::path folder = folderOf(options);
   const Shard shard = parseShard(options.shard);
-  std::optional<SlurmSubmission> slurm = submissionOf(options, folder);
+  std::optional<SlurmSubmission> slurm;
+  if (!options.why || options.dry_run) slurm = submissionOf(options, folder);
   const int slots = slurm ? slurm->slots() : options.slots.value_or(1);
   std::error_code ignored;
   const bool planned = fs::is_directory(options.sweep, ignored);
@@ -282,15 +247,26 @@ int runSweep(const SweepOptions& options) {
       planned ? readManifest(folder) : planSweep(options.sweep, folder, options.allow_many_runs);
   if (planned) refuseOtherPlan(manifest, folder);
   auto interrupt = std::make_unique<Interrupt>();
-  if (!planned && !options.dry_run) putManifest(manifest, folder);
+  if (!planned && !options.dry_run && !options.why) putManifest(manifest, folder);
   const SweepPlan plan(std::move(manifest), folder);
   SweepState state(plan, folder);
-  forgetLostResults(state, folder, tasksOf(plan, shard), ResultCheck::contents);
+  const Shard concerned = options.why ? Shard() : shard;
+  forgetLostResults(state, folder, tasksOf(plan, concerned), ResultCheck::contents);
   std::vector<std::size_t> tasks = state.unfinished();
   std::erase_if(tasks, [&](std::size_t task) { return plan.shardOf(task, shard.count) != shard.index - 1; });
 
   std::ostream& out = options.json ? std::cerr : std::cout;
-  printPlan(plan, out);
+  out << planText(plan);
+  nlohmann::ordered_json why = {{"exit_code", exit_good}};
+  if (options.why) {
+    const std::vector<TaskReason> reasons = whyTasksRun(state, folder, shard.index - 1, shard.count);
+    out << alignedText(whyRows(plan, reasons), 4) << "to run: " << tasks.size() << " of "
+        << counted(reasons.size(), "simulation") << "\n";
+    printRest(state, out);
+    why["why"] = whyJson(plan, reasons);
+    if (!options.dry_run && options.json) std::cout << jsonText(why);
+    if (!options.dry_run) return exit_good;
+  }
   const SweepEstimate estimate =
       estimateSweep(plan, state, tasks, timedFrom(options, slurm, slots, plan.tasks().size()), *interrupt);
   printEstimate(estimate, tasks.size(), plan.tasks().size(), slots, out);
@@ -304,10 +280,11 @@ int runSweep(const SweepOptions& options) {
   out.flush();
   if (options.dry_run) {
     if (interrupt->requested()) return exit_interrupted;
-    if (options.json) std::cout << jsonText(dryRunJson(plan, tasks.size(), estimate, slots));
+    nlohmann::ordered_json json = dryRunJson(plan, tasks.size(), estimate, slots);
+    if (options.why) json.update(why);
+    if (options.json) std::cout << jsonText(json);
     return exit_good;
   }
-
   return simulate(state, folder, std::move(tasks), slots, options, std::move(interrupt));
 }
 
@@ -329,7 +306,7 @@ int showStatus(const FolderOptions& options) {
                            {"status", byName(counts)}});
     return exit_good;
   }
-  printPlan(plan, std::cout);
+  std::cout << planText(plan);
   std::cout << "to do: " << state.unfinished().size() << " of " << counted(plan.tasks().size(), "simulation")
             << "\n";
   printCounts(plan, state);
@@ -342,20 +319,29 @@ int mergeFolder(const FolderOptions& options, const std::string& command_line) {
                 command_line);
 }
 
+/// A slip of a verb below this one would be taken for a file.
+void refuseSlip(const std::string& word) {
+  static const std::vector<std::string> verbs{"status", "merge"};
+  std::error_code ignored;
+  const std::string* meant = fs::exists(word, ignored) ? nullptr : nearestName(word, verbs);
+  if (meant) throw InputError("fissure sweep: no file \"" + word + "\", did you mean \"" + *meant + "\"?");
+}
+
 Command addFolderVerb(Command parent, const char* name, const char* help, FolderOptions& options) {
   Command command = parent.command(name, help);
   command.option("folder", options.folder, "folder of the sweep").required().notEmpty();
   command.flag("--json", options.json, "for machines, on standard output");
+  command.example(std::string("fissure sweep ") + name + " out/speeds");
   return command;
 }
 
 void addOptions(Command command, SweepOptions& options) {
   command.option("sweep", options.sweep, "sweep file, or the folder of a sweep to go on with").notEmpty();
-  command
-      .option("-o,--output", options.folder, "folder of the sweep; default: results/<name of the sweep file>")
+  command.option("-o,--output", options.folder, "folder of the sweep; default: out/<the name in the file>")
       .notEmpty();
   command.option("-j,--jobs", options.slots, "simulations side by side; default: 1").between(1, 1024);
   command.flag("--dry-run", options.dry_run, "show what would be done and how long it would take");
+  command.flag("--why", options.why, "say of each simulation why it would run, or that it is finished");
   command.flag("--yes", options.allow_many_runs, "plan more than 100,000 runs");
   command.option("--shard", options.shard,
                  "I/N: only this one of N shares of the simulations; then `sweep merge`");
@@ -368,6 +354,7 @@ void addOptions(Command command, SweepOptions& options) {
 
 Verb addSweep(Command app, const std::string& command_line) {
   Command command = app.command("sweep", "run a scenario at many points of its parameters");
+  command.example("fissure sweep speeds.yaml --dry-run");
   const auto options = std::make_shared<SweepOptions>();
   options->command_line = command_line;
   addOptions(command, *options);
@@ -378,6 +365,7 @@ Verb addSweep(Command app, const std::string& command_line) {
             if (status.given()) return showStatus(*folder);
             if (merge.given()) return mergeFolder(*folder, command_line);
             if (options->sweep.empty()) throw InputError("sweep: no sweep file is named, expected one");
+            refuseSlip(options->sweep);
             return runSweep(*options);
           }};
 }

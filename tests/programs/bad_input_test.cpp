@@ -261,13 +261,13 @@ TEST(BadUsage, CommandLines) {
   expectRefused(runFissure(folder, {"walk"}), "fissure: ");
   expectRefused(runFissure(folder, {"run"}), "SCENARIO");
   expectRefused(runFissure(folder, {"run", "s.yaml", "--fast"}), "--fast");
-  expectRefused(runFissure(folder, {"run", "s.yaml", "-j", "0"}), "fissure: ");
-  expectRefused(runFissure(folder, {"run", "s.yaml", "-j", "many"}), "fissure: ");
+  expectRefused(runFissure(folder, {"run", "s.yaml", "-j", "0"}), "fissure run: --jobs");
+  expectRefused(runFissure(folder, {"run", "s.yaml", "-j", "many"}), "fissure run: --jobs");
   expectRefused(runFissure(folder, {"run", "s.yaml", "--set", "nothing"}), "expected path=value");
   expectRefused(runFissure(folder, {"run", "s.yaml", "--set", "time.step=0.1"}), "step_s");
   expectRefused(runFissure(folder, {"run", "s.yaml", "--pipeline", "fukuhar"}), "did you mean \"fukuhara\"");
   expectRefused(runFissure(folder, {"run", "s.yaml", "t.yaml", "-o", "out.h5"}), "expected one scenario");
-  expectRefused(runFissure(folder, {"run", "s.yaml", "t.yaml"}), "both would write results/press.h5");
+  expectRefused(runFissure(folder, {"run", "s.yaml", "t.yaml"}), "both would write out/press.h5");
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"s.yaml", "t.yaml"}));
 }
 

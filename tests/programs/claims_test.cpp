@@ -1,4 +1,4 @@
-// The claims of README on the shipped configs: what holds, what does not.
+// The claims of the books on the shipped configs: what holds, what does not.
 #include <gtest/gtest.h>
 
 #include <algorithm>

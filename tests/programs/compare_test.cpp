@@ -176,8 +176,9 @@ TEST(CompareOptions, AShiftThatIsNoNumberIsRefused) {
   const Folder folder;
   const Outcome outcome = runFissure(folder, {"compare", "a.h5", "b.h5", "--max-shift", "nan"});
   EXPECT_EQ(outcome.code, 2);
-  EXPECT_EQ(outcome.err,
-            "fissure: --max-shift: nan: expected a number from 0 to 1e+06 (see fissure --help)\n");
+  EXPECT_EQ(
+      outcome.err,
+      "fissure compare: --max-shift: nan: expected a number from 0 to 1e+06 (see fissure compare --help)\n");
 }
 
 }  // namespace

@@ -145,11 +145,11 @@ TEST(Fit, BadInputIsOneLine) {
                 "--fix n=3: n is fixed already, expected one value");
   expectRefused({example, "--match", "time"},
                 "--match time: nothing is simulated, expected --result or --sweep too");
-  expectRefused({example, "--best", "3"}, "fissure: --best requires --sweep (see fissure --help)");
+  expectRefused({example, "--best", "3"}, "fissure fit: --best requires --sweep (see fissure fit --help)");
   expectRefused({example, "--sweep", ".", "--law", "hunt_crossley"},
-                "fissure: --law excludes --sweep (see fissure --help)");
+                "fissure fit: --law excludes --sweep (see fissure fit --help)");
   expectRefused({example, "--sweep", ".", "--free", "k"},
-                "fissure: --free excludes --sweep (see fissure --help)");
+                "fissure fit: --free excludes --sweep (see fissure fit --help)");
   expectRefused({example, "--sweep", ".", "--fix", "n=2"},
                 "--fix n=2: nothing is fitted with --sweep, expected F0 alone, and once");
   expectRefused(

@@ -43,12 +43,12 @@ TEST(Interrupted, FinishedScenariosAreKept) {
   Program run(folder, {fissureProgram(), "run", "a.yaml", "b.yaml", "c.yaml"});
   const pid_t first = run.waitForWorker();
   ASSERT_GT(first, 0);
-  while (!std::filesystem::exists(folder / "results/a.h5")) ASSERT_GT(run.waitForWorker(), 0);
+  while (!std::filesystem::exists(folder / "out/a.h5")) ASSERT_GT(run.waitForWorker(), 0);
   ASSERT_GT(run.waitForWorker(first), 0);
   run.send(SIGINT);
   EXPECT_EQ(run.wait().code, 130);
-  EXPECT_TRUE(readResultInfo(folder / "results/a.h5").complete);
-  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "results"), {}), 1);
+  EXPECT_TRUE(readResultInfo(folder / "out/a.h5").complete);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "out"), {}), 1);
 }
 
 // Two entries of half a second or more: the request comes when the second has begun.

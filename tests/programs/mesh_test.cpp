@@ -43,7 +43,8 @@ TEST(Mesh, ValidateNamesEachDefectInALineAndRefuses) {
       outcome.err,
       "s.yaml: bodies.sphere.shape: 1 degenerate triangle (without area, and so without a normal)\n"
       "s.yaml: bodies.sphere.shape: 3 duplicate faces (the same three corners as another one)\n"
-      "s.yaml: bodies.sphere.shape: 31 boundary edges (the surface is open)\n"
+      "s.yaml: bodies.sphere.shape: 31 boundary edges (the surface is open, but 31 of its 31 rim "
+      "vertices nearly coincide with another: weld_tolerance_m: 2e-07 may close it)\n"
       "s.yaml: bodies.sphere.shape: 2 non-manifold edges (shared by more than two triangles)\n"
       "s.yaml: bodies.sphere.shape: 32 inconsistently oriented edges (its triangles disagree about the "
       "outside)\n"
@@ -54,6 +55,19 @@ TEST(Mesh, ValidateNamesEachDefectInALineAndRefuses) {
   EXPECT_TRUE(isOneLine(run.err)) << run.err;
   EXPECT_EQ(runFissure(folder, {"plan", "s.yaml"}).err, run.err);
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"organ.stl", "s.yaml"}));
+}
+
+// Metres taken for the file's millimetres: not only the triangles are too many.
+TEST(Mesh, AWrongUnitIsNamedWithTheTrianglesThatItMakes) {
+  const Folder folder;
+  copyMesh(folder, "gallbladder_collision.stl");
+  folder.write("s.yaml", with(organScenario(", max_edge_m: 0.002"), "unit: mm", "unit: m"));
+  const Outcome outcome = runFissure(folder, {"validate", "s.yaml"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(outcome.err.find("max_edge_m 0.002 makes more than ") != std::string::npos &&
+              outcome.err.find("; size beyond reason (") != std::string::npos &&
+              outcome.err.find("is the unit mm?") != std::string::npos)
+      << outcome.err;
 }
 
 std::string summaryText(const ResultInfo& info, const std::string& name) {
@@ -188,7 +202,7 @@ TEST(Mesh, IsAnInputOfTheScenario) {
   std::string hashes;
   for (const auto& [name, value] : info.provenance)
     if (name == "input_hashes") hashes = value;
-  EXPECT_NE(hashes.find("organ.stl=fnv1a64:"), std::string::npos) << hashes;
+  EXPECT_NE(hashes.find("organ.stl=sha256:"), std::string::npos) << hashes;
   // The scenario that is stored runs again to the same numbers.
   folder.write("again.yaml", info.scenario_resolved);
   EXPECT_EQ(runFissure(folder, {"run", "again.yaml", "-o", "again.h5"}).code, 0);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <nlohmann/json.hpp>
 
 #include "program.h"
@@ -20,7 +21,7 @@ void expectCovered(const Json& parameter, double truth) {
 }
 
 /// A block of 144 tetrahedra, bonded below, into which a ball sinks 1.5 mm; `model`: the keys of its body.
-void runProbe(const Folder& folder, const std::string& model, const std::string& more = "") {
+void writeProbe(const Folder& folder, const std::string& model, const std::string& more = "") {
   folder.write("probe.yaml",
                "format: 1\nname: probe\ndescription: A ball on a block.\ntime: {step_s: 0.001}\n"
                "world: {gravity_m_s2: [0, 0, 0]}\nbodies:\n"
@@ -37,6 +38,10 @@ void runProbe(const Folder& folder, const std::string& model, const std::string&
                    "      segments: [{move_to_m: [0, 0.0075, 0], speed_m_s: 0.02}]\n"
                    "pipelines: [{pipeline: swept}]\n" +
                    more);
+}
+
+void runProbe(const Folder& folder, const std::string& model, const std::string& more = "") {
+  writeProbe(folder, model, more);
   const Outcome run = runFissure(folder, {"run", "probe.yaml", "-o", "probe.h5", "--no-frames", "--force"});
   ASSERT_EQ(run.code, 0) << run.err;
 }
@@ -122,11 +127,107 @@ TEST(ModulusFit, WhatHasNoModulusIsRefused) {
   EXPECT_EQ(refused({"curve.csv", "--modulus", "probe.h5", "--fix", "E=-1"}),
             "--fix E=-1: expected a number above 0\n");
   EXPECT_EQ(refused({"curve.csv", "--most-depth", "0.001"}),
-            "fissure: --most-depth requires --modulus (see fissure --help)\n");
+            "fissure fit: --most-depth requires --modulus (see fissure fit --help)\n");
   EXPECT_EQ(refused({"curve.csv", "--modulus", "no.h5"}), "no.h5: no such file, expected a fissure result\n");
   runProbe(folder, "    mass_kg: 0.01\n", "");
   EXPECT_EQ(refused({"curve.csv", "--modulus", "probe.h5"}),
             "probe.h5: its body has no modulus, expected one with model: elastic\n");
+}
+
+namespace fs = std::filesystem;
+
+constexpr const char* few_points = "depth_mm,force_N\n0.2,0.1\n0.5,0.2\n1,0.4\n";
+
+/// `fit curve.csv --modulus` of each of `files`, into the folder "out".
+Outcome fitTo(const Folder& folder, const std::vector<std::string>& files) {
+  std::vector<std::string> words = {"fit", "curve.csv", "--out", "out", "--json"};
+  for (const std::string& file : files) words.insert(words.end(), {"--modulus", file});
+  return runFissure(folder, words);
+}
+
+TEST(ModulusFit, SimulatesAScenarioFirstAndOnlyOnce) {
+  const Folder folder;
+  writeProbe(folder, elastic_model);
+  folder.write("curve.csv", few_points);
+  const Outcome first = fitTo(folder, {"probe.yaml"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(Json::parse(first.out)["curves"][0]["fits"][0]["result"], "out/probe.h5:swept");
+  const auto written = fs::last_write_time(folder / "out/probe.h5");
+  const Outcome again = fitTo(folder, {"probe.yaml"});
+  EXPECT_EQ(again.out, first.out);
+  EXPECT_EQ(fs::last_write_time(folder / "out/probe.h5"), written) << "finished, and so not made again";
+  // The same numbers as from `fissure run`, whose default folder is the default here too.
+  runProbe(folder, elastic_model);
+  EXPECT_EQ(Json::parse(fitTo(folder, {"probe.h5"}).out)["curves"][0]["fits"][0]["parameters"],
+            Json::parse(first.out)["curves"][0]["fits"][0]["parameters"]);
+  // What is of another scenario is neither used nor lost.
+  writeProbe(folder, elastic_model, "measure: {certify: true}\n");
+  const Outcome other = fitTo(folder, {"probe.yaml"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_TRUE(other.err.starts_with("out/probe.h5: is not of probe.yaml as it is now, ")) << other.err;
+  EXPECT_EQ(fs::last_write_time(folder / "out/probe.h5"), written);
+}
+
+TEST(ModulusFit, SimulatesASweepFirstAndGoesOnWithIt) {
+  const Folder folder;
+  writeProbe(folder, elastic_model);
+  folder.write("curve.csv", few_points);
+  folder.write("nu.yaml",
+               "format: 1\nname: nu\ndescription: Two ratios.\nbase: probe.yaml\nkeep: results\n"
+               "axes: [{path: bodies.block.elastic.poissons_ratio, values: [0.3, 0.45]}]\n");
+  const Outcome first = fitTo(folder, {"nu.yaml"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  EXPECT_EQ(Json::parse(first.out)["curves"][0]["fits"].size(), 2u);
+  const std::string gone = Json::parse(first.out)["curves"][0]["fits"][0]["result"];
+  const std::string kept = Json::parse(first.out)["curves"][0]["fits"][1]["result"];
+  const auto file = [&](const std::string& result) { return folder / result.substr(0, result.find(':')); };
+  const auto written = fs::last_write_time(file(kept));
+  fs::remove(file(gone));
+  const Outcome again = fitTo(folder, {"nu.yaml"});
+  EXPECT_EQ(again.out, first.out) << again.err;
+  EXPECT_EQ(fs::last_write_time(file(kept)), written);
+  EXPECT_TRUE(fs::exists(file(gone)));
+}
+
+TEST(ModulusFit, AKilledOneLosesNoFinishedResult) {
+  const Folder folder;
+  writeProbe(folder, elastic_model);
+  folder.write("curve.csv", few_points);
+  // The second takes hours.
+  folder.write("endless.yaml", "base: probe.yaml\nname: endless\ntime: {step_s: 0.000001, duration_s: 90}\n");
+  Program fit(folder, {fissureProgram(), "fit", "curve.csv", "--out", "out", "--modulus", "probe.yaml",
+                       "--modulus", "endless.yaml"});
+  const pid_t first = fit.waitForWorker();
+  ASSERT_GT(first, 0);
+  const pid_t second = fit.waitForWorker(first);
+  ASSERT_GT(second, 0);
+  fit.send(SIGKILL);
+  fit.wait();
+  EXPECT_TRUE(endsSoon(second));
+  const auto written = fs::last_write_time(folder / "out/probe.h5");
+  EXPECT_EQ(fitTo(folder, {"probe.yaml"}).code, 0);
+  EXPECT_EQ(fs::last_write_time(folder / "out/probe.h5"), written);
+}
+
+TEST(ModulusFit, WhatCannotBeFittedIsNotSimulated) {
+  const Folder folder;
+  folder.write("curve.csv", few_points);
+  writeProbe(folder, "    mass_kg: 0.01\n");
+  folder.write("s.yaml",
+               "format: 1\nname: s\ndescription: No results.\nbase: probe.yaml\n"
+               "axes: [{path: tools.tip.shape.radius_m, values: [0.004, 0.005]}]\n");
+  const auto refused = [&](const std::vector<std::string>& files) {
+    const Outcome outcome = fitTo(folder, files);
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_FALSE(fs::exists(folder / "out"));
+    return outcome.err;
+  };
+  EXPECT_EQ(refused({"probe.yaml"}),
+            "probe.yaml: its body has no modulus, expected one with model: elastic\n");
+  EXPECT_EQ(refused({"s.yaml"}), "s.yaml: keeps no result of its simulations, expected keep: results\n");
+  EXPECT_EQ(refused({"missing.yaml"}).substr(0, 14), "missing.yaml: ");
+  EXPECT_EQ(runFissure(folder, {"fit", "curve.csv", "--out", "out"}).code, 2) << "--out needs --modulus";
 }
 
 }  // namespace

@@ -43,10 +43,12 @@ std::vector<std::string> statOf(pid_t process) {
   return {std::istream_iterator<std::string>(fields), {}};
 }
 
-bool isWorker(pid_t process) {
+bool runs(pid_t process, const std::string& program) {
   std::error_code gone;
-  return fs::read_symlink("/proc/" + std::to_string(process) + "/exe", gone).filename() ==
-         "fissure-engine-f64";
+  return fs::read_symlink("/proc/" + std::to_string(process) + "/exe", gone)
+      .filename()
+      .string()
+      .starts_with(program);
 }
 
 void redirect(const fs::path& file, int descriptor) {
@@ -109,6 +111,7 @@ Program::Program(const Folder& folder, const std::vector<std::string>& words, co
   if (process_ < 0) throw std::runtime_error("cannot fork");
   if (process_ == 0) {
     redirect(out_, STDOUT_FILENO);
+    if (limits.out_is_terminal) ::dup2(slave, STDOUT_FILENO);
     if (slave < 0)
       redirect(err_, STDERR_FILENO);
     else
@@ -141,7 +144,7 @@ bool Program::running() const {
   return !fields.empty() && fields[0] != "Z";
 }
 
-pid_t Program::waitForWorker(pid_t not_this) const {
+pid_t Program::waitForChild(const std::string& program, pid_t not_this) const {
   while (running()) {
     for (const auto& entry : fs::directory_iterator("/proc")) {
       const std::string name = entry.path().filename().string();
@@ -149,7 +152,7 @@ pid_t Program::waitForWorker(pid_t not_this) const {
       const pid_t candidate = std::stoi(name);
       const std::vector<std::string> fields = statOf(candidate);
       const bool child = fields.size() > 1 && fields[0] != "Z" && fields[1] == std::to_string(process_);
-      if (child && candidate != not_this && isWorker(candidate)) return candidate;
+      if (child && candidate != not_this && runs(candidate, program)) return candidate;
     }
     std::this_thread::sleep_for(std::chrono::milliseconds(2));
   }

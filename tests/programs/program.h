@@ -42,6 +42,7 @@ class Program {
   struct Limits {
     std::optional<unsigned long> file_bytes;
     bool error_is_terminal = false;  ///< stderr is a pseudo-terminal 100 columns wide
+    bool out_is_terminal = false;    ///< stdout is the same one; what it gets is in Outcome::err
   };
   Program(const Folder& folder, const std::vector<std::string>& words, const Limits& limits);
   Program(const Folder& folder, const std::vector<std::string>& words) : Program(folder, words, Limits()) {}
@@ -53,7 +54,9 @@ class Program {
   void send(int signal) const;
   /// Waits for a child of this program, other than `not_this`, that has become an engine's worker; 0 when it
   /// ends before.
-  pid_t waitForWorker(pid_t not_this = 0) const;
+  pid_t waitForWorker(pid_t not_this = 0) const { return waitForChild("fissure-engine-f64", not_this); }
+  /// The same for any program whose file's name begins with `program`.
+  pid_t waitForChild(const std::string& program, pid_t not_this = 0) const;
   Outcome wait();
 
  private:

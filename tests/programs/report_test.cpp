@@ -160,5 +160,42 @@ TEST_F(Report, FoldersThatCannotBeReported) {
   expectRefused({"in", "--video", "v.mp4"}, "--video: is of one result");
 }
 
+std::string benchFile(const std::string& commit) {
+  return "{\"format\": \"fissure-bench\", \"format_version\": 1, \"commit\": \"" + commit +
+         "\", \"commit_date\": \"2026-01-31T12:00:00Z\", \"modified\": false, \"machine\": {\"cpu\": \"A\", "
+         "\"cores\": 2}, \"build\": {\"type\": \"Release\", \"compiler\": \"c\", \"flags\": \"\"}, "
+         "\"benchmarks\": [{\"name\": \"step/a\", \"time_us\": [1, 2], \"counters\": {\"rays\": 64}}]}";
+}
+
+TEST_F(Report, AFolderOfBenchmarkFilesIsAHistory) {
+  fs::create_directory(folder_ / "bench");
+  folder_.write("bench/1.json", benchFile("aa"));
+  folder_.write("bench/2.json", benchFile("bb"));
+  folder_.write("bench/torn.json", benchFile("cc").substr(0, 100));
+  const Outcome outcome = report({"bench"});
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  EXPECT_EQ(
+      outcome.out,
+      "not shown: torn.json: no whole JSON, expected a file of scripts/bench\npage: bench/index.html\n");
+  const std::string page = folder_.read("bench/index.html");
+  for (const char* words : {"\"kind\":\"history\"", "\"title\":\"bench\"", "\"name\":\"step/a\""})
+    EXPECT_TRUE(has(page, words)) << words;
+  expectRefused({"bench"}, "bench/index.html: exists already");
+  EXPECT_EQ(report({"bench", "--force"}).code, 0);
+  expectRefused({"bench", "--force", "-o", "bench/1.json"}, "bench/1.json: is one of its files");
+  expectRefused({"bench", "--video", "v.mp4"}, "--video: is of one result");
+  copy("bench/press.h5");  // then its results are shown
+  EXPECT_TRUE(has(report({"bench", "--force"}).out, "page: bench/index.html"));
+  EXPECT_TRUE(has(folder_.read("bench/index.html"), "\"kind\":\"folder\""));
+}
+
+TEST_F(Report, AFolderOfOtherJsonIsRefused) {
+  fs::create_directory(folder_ / "plans");
+  folder_.write("plans/manifest.json", "{\"format\": \"fissure-sweep-plan\"}");
+  expectRefused({"plans"},
+                "plans: holds neither results (*.h5) nor files of scripts/bench: manifest.json: format is "
+                "\"fissure-sweep-plan\", expected \"fissure-bench\"");
+}
+
 }  // namespace
 }  // namespace fissure::programs::report_test

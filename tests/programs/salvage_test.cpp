@@ -108,9 +108,9 @@ TEST(Salvage, PartOfAKilledFront) {
   const Outcome salvaged = runFissure(folder, {"salvage", name});
   ASSERT_EQ(salvaged.code, 0) << salvaged.err;
   EXPECT_NE(salvaged.out.find("fukuhara: salvaged: up to step "), std::string::npos) << salvaged.out;
-  EXPECT_NE(salvaged.out.find("result: results/press.fukuhara.salvaged.h5\n"), std::string::npos);
-  expectBeginning(folder, "results/press.fukuhara.salvaged.h5");
-  const std::string shown = runFissure(folder, {"info", "results/press.fukuhara.salvaged.h5"}).out;
+  EXPECT_NE(salvaged.out.find("result: out/press.fukuhara.salvaged.h5\n"), std::string::npos);
+  expectBeginning(folder, "out/press.fukuhara.salvaged.h5");
+  const std::string shown = runFissure(folder, {"info", "out/press.fukuhara.salvaged.h5"}).out;
   EXPECT_NE(shown.find("fissure-result, version 1, salvaged from a run that did not finish\n"),
             std::string::npos)
       << shown;
@@ -241,7 +241,7 @@ TEST(Salvage, RefusesWhatItCannotUse) {
   expectRefused(folder, {"salvage", "whole.h5"}, "whole.h5: a result, expected the part file of one run");
   expectRefused(folder, {"salvage"}, "PART is required");
   expectRefused(folder, {"salvage", ""}, "PART: names no file");
-  EXPECT_FALSE(fs::exists(folder / "results"));
+  EXPECT_FALSE(fs::exists(folder / "out"));
 }
 
 /// Of a front that was killed after its first block of rows.

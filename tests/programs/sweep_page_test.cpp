@@ -46,11 +46,11 @@ TEST(SweepReport, OfATableAndOfItsFolder) {
 
 TEST(SweepReport, IsARowInTheTableOfAFolder) {
   const Folder folder;
-  std::filesystem::create_directories(folder / "results/law");
-  writeSampleSweep(folder / "results/law/sweep.h5", sampleSweep(20, 4));
-  EXPECT_EQ(runFissure(folder, {"report", "results"}).code, 0);
-  EXPECT_TRUE(has(folder.read("results/index.html"), "\"note\":\"a sweep of 20 runs\""));
-  EXPECT_TRUE(has(folder.read("results/law/sweep.html"), "\"kind\":\"sweep\""));
+  std::filesystem::create_directories(folder / "out/law");
+  writeSampleSweep(folder / "out/law/sweep.h5", sampleSweep(20, 4));
+  EXPECT_EQ(runFissure(folder, {"report", "out"}).code, 0);
+  EXPECT_TRUE(has(folder.read("out/index.html"), "\"note\":\"a sweep of 20 runs\""));
+  EXPECT_TRUE(has(folder.read("out/law/sweep.html"), "\"kind\":\"sweep\""));
 }
 
 TEST(SweepReport, OfADamagedTableIsOneLine) {

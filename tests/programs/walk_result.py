@@ -14,14 +14,14 @@ ENDINGS = ("_m", "_N", "_Pa", "_s", "_us", "_hz", "_J", "_m_s", "_m_s2")  # of s
 WITHOUT_UNIT = [r"(force_roughness|roughness_same_triangles|tool_force_roughness)(_\w+)?", r"(tool_)?reaction_roughness", r"collision_share", r"real_time_factor",
                 r"node_spacing_over_edge", r"energy_balance_error"]
 COUNTS = [r"steps", r"(contact|unsound|oblique|certified|uncertified|truncated|no_room|freeing)_steps", r"rounds|truncated_vertices",
-          r"(max_)?substeps|max_inverted_elements", r"first_(unsound|uncertified)_step",
+          r"(max_)?substeps|max_inverted_elements", r"steps_per_measurement", r"first_(unsound|uncertified)_step",
           r"rays", r"ray_triangle_tests", r"tool_samples", r"passed_through_samples", r"contacts_total",
           r"max_contact_count", r"max_inverted_triangles", r"displacement_(pushes|sweeps)", r"fixed_vertices",
           r"saturated_steps(_\w+)?", r"(force_)?non_finite_at_step(_\w+)?",
           r"\w+_replay_(samples|held_samples|gaps|jumps|dropped_rows|repeated_rows|saturated_openings|"
           r"rows_beyond_reason|filtered_rows|fast_steps)"]
 TEXTS = [r"final_state_hash", r"not_measured", r"repairs", r"untouched_tools", r"unsound_tissue",
-         r"first_uncertified"]
+         r"first_uncertified", r"laws_of_whole_probes"]
 
 
 def is_scale(dataset):

@@ -15,6 +15,12 @@ class Walk : public testing::Test {
     python_ = pythonWith("h5py, numpy");
     if (python_.empty()) GTEST_SKIP() << "no python3 with h5py here";
   }
+  /// Compares results, named after the book, with src/results/store/FORMAT.md.
+  Outcome checkFormat(std::vector<std::string> words) const {
+    words.insert(words.begin(), {python_, FISSURE_SOURCE_DIR "/tests/programs/check_format.py",
+                                 FISSURE_SOURCE_DIR "/src/results/store/FORMAT.md"});
+    return runTool(folder_, words);
+  }
   Outcome walk(std::vector<std::string> files) const {
     files.insert(files.begin(), {python_, FISSURE_SOURCE_DIR "/tests/programs/walk_result.py"});
     return runTool(folder_, files);
@@ -60,6 +66,56 @@ TEST_F(Walk, NothingInTheReferencesLacksUnitsOrAxes) {
   ASSERT_GT(files.size(), 10U);
   const Outcome outcome = walk(files);
   EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+}
+
+TEST_F(Walk, EveryNameStandsInTheBookOfTheFormat) {
+  folder_.write("full.yaml", fullScenario("[{pipeline: default}, {pipeline: fukuhara}]"));
+  ASSERT_EQ(runFissure(folder_, {"run", "full.yaml", "-o", "full.h5"}).code, 0);
+  folder_.write("elastic.yaml",
+                "format: 1\n"
+                "name: elastic\n"
+                "time: {step_s: 0.001}\n"
+                "world: {gravity_m_s2: [0, 0, 0]}\n"
+                "bodies:\n"
+                "  - name: block\n"
+                "    model: elastic\n"
+                "    shape: {type: box, size_m: [0.02, 0.02, 0.02], cells: [2, 2, 2]}\n"
+                "    elastic:\n"
+                "      viscosity_Pa_s: 5\n"
+                "      regions: [{name: hard, box: {min_m: [-0.01, -0.01, -0.01], max_m: [0, 0.01, 0.01]},\n"
+                "                 youngs_modulus_Pa: 20000}]\n"
+                "    fixed: [{below_m: -0.009}]\n"
+                "tools:\n"
+                "  - name: plate\n"
+                "    shape: {type: box, size_m: [0.04, 0.002, 0.04]}\n"
+                "    coupling: {mass_kg: 0.05, stiffness_N_m: 3000, damping_N_s_m: 20, force: reaction}\n"
+                "    force_limit_N: 8\n"
+                "    motion: {type: script, start_m: [0, 0.012, 0],\n"
+                "             segments: [{move_to_m: [0, 0.01, 0], speed_m_s: 0.2}]}\n"
+                "pipelines: [{pipeline: swept}]\n"
+                "record: {snapshots_every_s: 0.005}\n");
+  ASSERT_EQ(runFissure(folder_, {"run", "elastic.yaml", "-o", "elastic.h5"}).code, 0);
+  std::vector<std::string> words = {"--all", "full.h5", "elastic.h5"};
+  for (const auto& entry : fs::directory_iterator(FISSURE_SOURCE_DIR "/results/reference"))
+    if (entry.path().extension() == ".h5") words.push_back(entry.path().string());
+  const Outcome outcome = checkFormat(words);
+  EXPECT_EQ(outcome.code, 0) << outcome.out << outcome.err;
+  const std::vector<std::pair<std::string, std::string>> damages = {
+      {"run['news'] = [1.0]", "news: no such dataset in the book"},
+      {"run.attrs['news'] = 1", "fukuhara@news: no such attribute in the book"},
+      {"run['summary'].attrs['news_m'] = 1.0", "summary@news_m: no such attribute in the book"},
+      {"run['force'].attrs['units'] = 'm'", "force: the book says"}};
+  for (const auto& [damage, complaint] : damages) {
+    fs::copy_file(folder_ / "full.h5", folder_ / "damaged.h5", fs::copy_options::overwrite_existing);
+    const Outcome edit = runTool(
+        folder_,
+        {python_, "-c",
+         "import h5py; file = h5py.File('damaged.h5', 'r+'); run = file['pipelines/fukuhara']; " + damage});
+    ASSERT_EQ(edit.code, 0) << edit.err;
+    const Outcome found = checkFormat({"damaged.h5"});
+    EXPECT_EQ(found.code, 1) << damage << found.err;
+    EXPECT_NE(found.out.find(complaint), std::string::npos) << damage << "\n" << found.out;
+  }
 }
 
 TEST_F(Walk, WhatIsLackingIsNamed) {

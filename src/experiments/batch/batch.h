@@ -11,23 +11,23 @@
 
 namespace fissure {
 
-/// How a batch ended, the worst last.
+/// The outcome of a batch, from best to worst.
 enum class BatchOutcome {
   good,
-  unexpected,  ///< all ran, but something that a scenario expects does not hold
-  failed,      ///< a run, or writing a result
+  unexpected,  ///< all runs ended well, but an expectation of a scenario does not hold
+  failed,      ///< a run failed, or a result could not be written
   interrupted,
 };
 
-/// Runs experiments through one pool of workers; each result is written as soon as its last run has ended.
+/// Runs experiments with one pool of workers. Each result is written as soon as its last run has ended.
 class Batch : private PoolObserver {
  public:
   Batch(std::vector<Experiment>& experiments, const std::string& command_line, ProgressDisplay& display);
 
-  /// Throws RunError when a result cannot be written; workers are stopped then, and results written before
-  /// stay.
+  /// Runs all experiments, with `slots` workers at the same time. Throws RunError when a result cannot be
+  /// written; all workers are then stopped, and results written before stay.
   void run(int slots, Interrupt& interrupt);
-  /// How all experiments together ended; call it after run().
+  /// The worst outcome of all experiments; to be called after run().
   BatchOutcome outcome() const;
 
  private:
@@ -40,8 +40,8 @@ class Batch : private PoolObserver {
   std::string command_line_;
   ProgressDisplay& display_;
   std::vector<WorkerTask> tasks_;
-  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< of a task: experiment, index of its run
-  std::vector<RunProgress> progress_;                        ///< of a task
+  std::vector<std::pair<std::size_t, std::size_t>> owners_;  ///< [task] experiment, index of its run
+  std::vector<RunProgress> progress_;                        ///< [task]
 };
 
 }  // namespace fissure

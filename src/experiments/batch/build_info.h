@@ -4,15 +4,16 @@
 
 namespace fissure {
 
-/// How this program was made.
+/// The build of this program, for provenance.
 struct BuildInfo {
   std::string version;
-  std::string commit;  ///< "unknown" when it was not built from a checkout
-  bool dirty = false;  ///< the checkout had changes
+  /// "unknown" when it was not built from a checkout.
+  std::string commit;
+  bool dirty = false;  ///< the checkout had uncommitted changes
   std::string compiler;
   std::string flags;
   std::string build_type;
-  std::string yaml_cpp_version;  ///< the library has no call that says it at run time
+  std::string yaml_cpp_version;  ///< at build time: the library has no function for it
 };
 
 const BuildInfo& buildInfo();

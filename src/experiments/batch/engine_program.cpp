@@ -24,7 +24,9 @@ WorkerTask engineTask(const EngineRun& run) {
   return {engineProgram(nameIn(catalog().precisions, run.pipeline.precision)),
           {"--scenario", run.scenario.string(), "--directory", run.directory.string(), "--pipeline",
            run.pipeline.name, "--part", run.part.string()},
-          run.pipeline.time_limit_s};
+          run.pipeline.time_limit_s,
+          0,
+          run.part.parent_path()};
 }
 
 }  // namespace fissure

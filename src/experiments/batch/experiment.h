@@ -17,42 +17,43 @@
 
 namespace fissure {
 
-/// How a result file may be made.
+/// Rules for writing a result file.
 struct OutputRules {
-  bool replace = false;     ///< an existing one
-  bool keep_parts = false;  ///< what runs that did not finish have written stays beside it, for salvage
+  bool replace = false;     ///< whether an existing file is replaced
+  bool keep_parts = false;  ///< whether parts of unfinished runs are kept beside it, for salvage
 };
 
-/// One scenario on its way to a result file: its runs, and what became of each.
+/// One scenario with its runs, from the reserved result file to the written one.
 class Experiment {
  public:
-  /// Reserves `output` and lays down the resolved scenario for the workers. Throws InputError, RunError.
+  /// Reserves `output` and writes the resolved scenario for the workers. Throws InputError as OutputClaim,
+  /// RunError when writing fails.
   Experiment(CheckedScenario checked, const std::filesystem::path& output, const OutputRules& rules);
 
   const CheckedScenario& checked() const { return checked_; }
   const std::filesystem::path& output() const { return output_; }
-  std::vector<WorkerTask> tasks() const;  ///< one a pipeline entry, in the scenario's order
+  std::vector<WorkerTask> tasks() const;  ///< one task per pipeline entry, in the scenario's order
 
   void noteStart();
-  /// How run `index` ended, by its worker; whether its part is whole is looked up here.
+  /// Records how run `index` ended according to its worker, and checks whether its part file is complete.
   void noteEnd(std::size_t index, const RunStatus& status);
   bool ended() const { return open_ == 0; }
 
-  /// When all runs have ended: writes the result file, unless the batch was interrupted before any run was
-  /// finished. An interrupted batch leaves an existing result alone and writes beside it, to
-  /// *.interrupted.h5. Frees the slot either way. Does not throw RunError: error() says why nothing could be
-  /// written.
+  /// To be called when all runs have ended: writes the result file, unless the batch was interrupted before
+  /// any run had finished, and releases the slot. An interrupted batch does not replace an existing result
+  /// but writes beside it, to *.interrupted.h5. Throws no RunError: error() has the reason why nothing could
+  /// be written.
   void close(const std::string& command_line);
 
-  /// `<output>.<run>.part` of each run that is not whole in a result, when they are kept and something is in
-  /// them.
+  /// The kept parts of unfinished runs that have any rows: `<output>.<run>.part`.
   const std::vector<std::filesystem::path>& keptParts() const { return kept_parts_; }
-  /// A line for each run whose part should have been kept and could not be: its name, and why.
+  /// One line for each run whose part could not be kept: its name and the reason.
   const std::vector<std::string>& unkeptParts() const { return unkept_parts_; }
   const std::vector<PartResult>& results() const { return results_; }
   const std::string& error() const { return error_; }
-  const std::optional<ResultInfo>& info() const { return info_; }  ///< of the file that close() wrote
-  /// What the scenario expects against what that file says; none where the batch was interrupted.
+  /// Contents of the file that close() wrote.
+  const std::optional<ResultInfo>& info() const { return info_; }
+  /// The scenario's expectations, checked against that file; empty where the batch was interrupted.
   const std::vector<CheckedExpectation>& expectations() const { return expectations_; }
 
  private:
@@ -69,7 +70,7 @@ class Experiment {
   CheckedScenario checked_;
   std::filesystem::path output_;
   bool keep_parts_;
-  std::unique_ptr<OutputSlot> slot_;  ///< until close()
+  std::unique_ptr<OutputSlot> slot_;  ///< null after close()
   std::vector<PartResult> results_;
   std::size_t open_;
   std::optional<ResultInfo> info_;
@@ -77,7 +78,7 @@ class Experiment {
   std::string error_;
   std::vector<std::filesystem::path> kept_parts_;
   std::vector<std::string> unkept_parts_;
-  std::string input_hashes_;  ///< when the scenario was read
+  std::string input_hashes_;  ///< hashes at the time when the scenario was read
   RunTimes times_;
   std::optional<std::chrono::steady_clock::time_point> start_;
 };

@@ -75,7 +75,7 @@ std::string seconds(double value) {
 }  // namespace
 
 std::optional<std::string> fileHash(const fs::path& file) try {
-  return "fnv1a64:" + fnv1a64(readInputFile(file, "a file"));
+  return "sha256:" + sha256(readInputFile(file, "a file"));
 } catch (const InputError&) {
   return std::nullopt;
 }
@@ -106,7 +106,7 @@ Provenance collectProvenance(const LoadedScenario& loaded, const std::string& in
   return {{"version", build.version},
           {"commit", build.commit},
           {"dirty", build.dirty ? "true" : "false"},
-          {"scenario_hash", "fnv1a64:" + fnv1a64(loaded.resolved)},
+          {"scenario_hash", "sha256:" + sha256(loaded.resolved)},
           {"input_hashes", input_hashes},
           {"command_line", command_line},
           {"started_utc", utc(times.started)},
@@ -128,7 +128,7 @@ Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& co
   return {{"version", build.version},
           {"commit", build.commit},
           {"dirty", build.dirty ? "true" : "false"},
-          {"scenario_hash", "fnv1a64:" + fnv1a64(loaded.resolved)},
+          {"scenario_hash", "sha256:" + sha256(loaded.resolved)},
           {"command_line", command_line},
           {"hdf5_version", hdf5Version()},
           {"yaml_cpp_version", build.yaml_cpp_version}};

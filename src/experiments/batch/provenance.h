@@ -10,30 +10,30 @@
 
 namespace fissure {
 
-/// The command line as a result file records it: words quoted where a shell needs it, and of absolute paths
-/// only the file name, so that no machine's folders are published with a result.
+/// The command line in the form that result files record: words are quoted where a shell needs it, and
+/// absolute paths are reduced to the file name, so that no folders of a machine are published.
 std::string commandLine(int argc, const char* const* argv);
 
-/// When a batch of runs was made.
+/// Start, end and wall time of a batch of runs.
 struct RunTimes {
   std::chrono::system_clock::time_point started;
   std::chrono::system_clock::time_point ended;
   double wall_s = 0;
 };
 
-/// Everything about program, machine and input that may explain a result; no user and no host name.
+/// All data about program, machine and input that may explain a result, without names of user and host.
 Provenance collectProvenance(const LoadedScenario& loaded, const std::string& input_hashes,
                              const std::string& command_line, const RunTimes& times);
 
-/// The same for a result salvaged from a part, about the salvaging program: what the front knew of the run
-/// itself has died with it.
+/// The same for a result salvaged from a part. It describes the salvaging program, because what the original
+/// program knew of the run is lost.
 Provenance salvageProvenance(const LoadedScenario& loaded, const std::string& command_line);
 
-/// "fnv1a64:..." of what a file holds; nothing when it cannot be read.
+/// The hash of a file's contents, "sha256:..."; no value when it cannot be read.
 std::optional<std::string> fileHash(const std::filesystem::path& file);
 
-/// "name=hash, name=hash" of the files a scenario was read from, as they are now: names relative to the
-/// scenario's folder, or the file name alone outside it. Throws RunError when one cannot be read.
+/// Present hashes of the files from which a scenario was read, "name=hash, name=hash", with names relative to
+/// the scenario's folder, or the bare file name outside of it. Throws RunError when a file cannot be read.
 std::string inputHashes(const LoadedScenario& loaded);
 
 }  // namespace fissure

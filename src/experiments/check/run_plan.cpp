@@ -10,18 +10,13 @@ namespace fissure {
 
 namespace {
 
-/// How often an interval is due: in the first step, then at most once a step.
-std::int64_t dueCount(const CheckedScenario& checked, double every_s) {
-  const double step_s = checked.loaded.scenario.time.step_s;
-  const double end_s = static_cast<double>(checked.steps) * step_s;
-  return 1 + std::llround(intervalsIn(end_s, std::max(every_s, step_s)));
-}
-
 double recordBytes(const CheckedScenario& checked, const RecordLayout& layout) {
   double row_bytes = 0;
   for (const Series& series : layout.series())
     row_bytes += static_cast<double>(series.columns) * (series.type == ValueType::flag ? 1 : 8);
-  return row_bytes * static_cast<double>(checked.steps + 1);
+  const Scenario& scenario = checked.loaded.scenario;
+  return row_bytes *
+         static_cast<double>(everyNth(checked.steps, stepsPerRow(scenario.record, scenario.measure)));
 }
 
 /// Size of the stored tetrahedra at rest: three coordinates and an index per vertex, four packed indices per
@@ -59,7 +54,7 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
   if (scenario.record.force_inputs)
     plan.force_input_bytes = 48 + 16 * static_cast<int>(scenario.force.size());
   if (scenario.record.snapshots_every_s) {
-    plan.snapshots = dueCount(checked, *scenario.record.snapshots_every_s);
+    plan.snapshots = timesDue(checked.steps, scenario.time.step_s, *scenario.record.snapshots_every_s);
     const double clamps = scene.hasHandles() ? static_cast<double>(scene.clamps.size()) : 0;
     // Time, positions, states and pressures; the poses of clamps.
     const bool elastic = scene.bodies.at(0).volume.has_value();
@@ -68,7 +63,7 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
     plan.snapshot_bytes = one * static_cast<double>(plan.snapshots) + volumeBytes(scene);
   }
   if (scenario.record.frames) {
-    plan.frames = dueCount(checked, scenario.record.frames->every_s);
+    plan.frames = timesDue(checked.steps, scenario.time.step_s, scenario.record.frames->every_s);
     const double one = 3.0 * scenario.record.frames->width_px * scenario.record.frames->height_px;
     plan.frame_bytes = one * static_cast<double>(plan.frames);
   }
@@ -79,6 +74,14 @@ RunPlan planRun(const CheckedScenario& checked, const PipelineSettings& pipeline
 
 RecordLayout layoutOf(const CheckedScenario& checked, const PipelineSettings& pipeline) {
   return declareLayout(makeProbes(checked.loaded.scenario, sceneFor(checked, pipeline)));
+}
+
+Summary emptySummaryOf(const CheckedScenario& checked, const PipelineSettings& pipeline) {
+  const auto probes = makeProbes(checked.loaded.scenario, sceneFor(checked, pipeline));
+  declareLayout(probes);
+  Summary summary;
+  for (const auto& probe : probes) probe->summarize(summary);
+  return summary;
 }
 
 std::vector<RunPlan> planRuns(const CheckedScenario& checked) {

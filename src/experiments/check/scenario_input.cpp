@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/steps.h"
+#include "measure/penetration.h"
 #include "mesh/check.h"
 #include "mesh/convex.h"
 #include "mesh/tetrahedra_check.h"
@@ -202,6 +203,17 @@ Scene sceneOf(const CheckedScenario& checked, const MeshFiles& files) {
   }
 }
 
+/// A run would only find when it starts that tools cannot be sampled as finely as the scenario says.
+void checkSamples(const CheckedScenario& checked) {
+  const Scenario& scenario = checked.loaded.scenario;
+  if (!scenario.measure.sample_spacing_m) return;
+  try {
+    const PenetrationMeter meter(checked.prepared.scene, scenario.measure);
+  } catch (const InputError& error) {
+    throw InputError(inFile(checked.file), error.what());
+  }
+}
+
 void checkTools(CheckedScenario& checked, const MeshFiles& files) {
   const Scenario& scenario = checked.loaded.scenario;
   SurfaceReport report(checked, files, "cannot be used", "expected faces that agree about the outside",
@@ -269,6 +281,7 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   PreparedScenario& prepared = checked.prepared;
   prepared.scene = sceneOf(checked, files);
   for (const SceneTool& tool : prepared.scene.tools) checkTool(checked, tool);
+  checkSamples(checked);
   checked.substeps = substepsOf(checked);
   prepared.motions = makeMotions(scenario);
   for (std::size_t t = 0; t < prepared.motions.size(); ++t)

@@ -1,5 +1,6 @@
 #include "check/scenario_warnings.h"
 
+#include "check/plausibility.h"
 #include "measure/node_spacing.h"
 
 namespace fissure {
@@ -22,7 +23,7 @@ bool movesObliquely(const Motion& motion) {
 }  // namespace
 
 std::vector<std::string> scenarioWarnings(const CheckedScenario& checked) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = plausibilityWarnings(checked);
   const Scenario& scenario = checked.loaded.scenario;
   const auto spacing = widestNodeSpacing(checked.prepared.scene);
   if (!spacing) return warnings;

@@ -1,5 +1,7 @@
 #include "fit/curve_rank.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,10 +60,10 @@ std::string wayBackNote(const MeasuredCurve& curve) {
     if (depth_m < deepest_m - margin_m) ++back;
   }
   if (back == 0) return "";
-  return std::to_string(back) + " of " + std::to_string(curve.depth_m.size()) +
-         " points are shallower than one before them, as on a way back, and meet the simulated way in: "
-         "--match "
-         "time tells them apart";
+  return fmt::format(
+      "{} of {} points are shallower than one before them, as on a way back, and meet the simulated way in: "
+      "--match time tells them apart",
+      back, curve.depth_m.size());
 }
 
 void rank(std::vector<Misfit>& misfits) {

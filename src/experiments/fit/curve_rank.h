@@ -11,30 +11,32 @@
 
 namespace fissure {
 
-/// How far a simulated curve is from a measured one.
+/// The deviation of a simulated curve from a measured one.
 struct Misfit {
   std::size_t run = 0;
   std::size_t law = 0;
   double rms_N = 0;  ///< root of the (weighted) mean square of the differences; NaN: cannot be compared
-  double F0_N = 0;   ///< what was added to the simulated force
+  double F0_N = 0;   ///< offset that was added to the simulated force
 };
 
-/// `force_N` over ascending `at`, times or depths as `by` says, against the curve's points in between
-/// (linearly). F0 is `fixed_offset_N` or, without, the one of the least misfit. NaN where the simulated curve
-/// has a gap or an end before the last point, or the curve has no such points.
+/// Compares the simulated `force_N` over ascending `at` (times or depths, according to `by`), linearly
+/// interpolated, with the points of the measured curve. F0 is `fixed_offset_N` or, without it, that of the
+/// least misfit. rms_N is NaN where the simulated curve has a gap or ends before the last point, or the
+/// measured curve has no such points.
 Misfit misfitOf(const MeasuredCurve& curve, MatchBy by, std::span<const double> at,
                 std::span<const double> force_N, std::optional<double> fixed_offset_N);
 
-/// The same points of a curve over the way of a tool instead of time: those from first contact to the
-/// deepest that go deeper than all before. All three of one length; `way_m` is 0 before contact.
+/// Reduces a curve to the points from first contact to the deepest that are deeper than all points before, so
+/// that it is a function of depth. `way_m`, the displacement of the tool, is 0 before contact; both arrays
+/// have the same length.
 void keepDeepening(std::vector<double>& way_m, std::vector<double>& force_N);
 
-/// What must be said where depths are matched: how many points are shallower than one before them by more
-/// than a hundredth of the deepest, as on a way back, although all meet the simulated way in. Empty: none, or
-/// the curve has no times.
+/// A note for matching by depth: the number of points that are shallower than an earlier one by more than a
+/// hundredth of the deepest, as during retraction, although all points are compared with the simulated
+/// indentation. Empty where there are none, or the curve has no times.
 std::string wayBackNote(const MeasuredCurve& curve);
 
-/// Least misfit first, NaN last, equal ones by run and law.
+/// Sorts by misfit, the least first and NaN last; equal ones by run and law.
 void rank(std::vector<Misfit>& misfits);
 
 }  // namespace fissure

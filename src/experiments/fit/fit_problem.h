@@ -10,26 +10,26 @@
 
 namespace fissure {
 
-/// The measured side of a fit. Throws InputError where it holds nothing to fit.
+/// The measured data of a fit. The constructor throws InputError where there is nothing to fit.
 struct FitData {
   FitData(const LawModel& fitted, std::span<const double> measured_force_N, std::span<const double> weights);
 
   const LawModel& model;
   Eigen::VectorXd force_N;
-  Eigen::VectorXd root_weights;  ///< their mean square is 1
-  double force_scale_N = 0;      ///< the largest difference of forces
+  Eigen::VectorXd root_weights;  ///< square roots of the weights, scaled to a mean square of 1
+  double force_scale_N = 0;      ///< largest difference of two measured forces
   double squares_around_mean_N2 = 0;
 };
 
-/// A fit as residuals over coordinates of size one. d, the deformation scale, is the typical deformation
-/// (LawModel::deformationScale_m), the force scale the largest difference of the measured forces. The
-/// coordinates are the logarithm of the elastic force at d over the force scale (Hunt-Crossley: k d^n), the
-/// damping coefficient over k times the rate scale, the shape's place between its limits (logistic), F0 over
-/// the force scale. Taking the force at d takes most of the correlation between k and the shape away. Those
-/// of what is free, in that order.
+/// A fit as residuals over coordinates of size one. d is the typical deformation
+/// (LawModel::deformationScale_m), the force scale the largest difference of measured forces. The coordinates
+/// are, for those parameters that are free and in this order: the logarithm of the elastic force at d over
+/// the force scale (Hunt-Crossley: k d^n); the damping coefficient over k, times the rate scale; the position
+/// of the shape between its limits (logistic); and F0 over the force scale. Using the force at d removes most
+/// of the correlation between k and the shape.
 class FitProblem {
  public:
-  /// `data` must outlive it.
+  /// `data` must outlive this object.
   FitProblem(const FitData& data, const FitSettings& settings);
 
   const ForceLawEntry& law() const { return law_; }
@@ -38,11 +38,12 @@ class FitProblem {
   FitValues valuesAt(const Eigen::VectorXd& place) const;
   Eigen::VectorXd placeOf(const FitValues& values) const;
 
-  /// The best of the searches from several shapes.
+  /// The best of several searches that start from different shapes.
   LeastSquares solve() const;
   LeastSquares solveFrom(const FitValues& start) const;
 
-  /// The weighted residuals (newtons, one per point) and their derivatives by the coordinates.
+  /// The derivatives of the weighted residuals by the coordinates, and these residuals (newtons, one per
+  /// point).
   Eigen::MatrixXd jacobian(const Eigen::VectorXd& place) const;
   Eigen::VectorXd residuals(const Eigen::VectorXd& place) const;
 
@@ -50,7 +51,8 @@ class FitProblem {
   /// Hunt-Crossley.
   double viscousShare_s_m(const FitValues& values) const;
 
-  /// Sum of squares that noise of the rates makes of (weighted) residuals where that share is 1 s/m.
+  /// Sum of squares of the (weighted) residuals that noise of the rates causes where the viscous share is 1
+  /// s/m.
   double noiseOfViscousShare_N2(const FitValues& values) const;
 
   /// The elastic force at the deformation scale where k is 1, newtons.
@@ -59,17 +61,17 @@ class FitProblem {
   /// The elastic force at the deformation scale over the force scale.
   double elasticShare(const FitValues& values) const;
 
-  /// What the law's shape is searched between, in its own unit.
+  /// The limits between which the law's shape is searched, in its own unit.
   double leastShape() const { return search_.least / shape_scale_; }
   double largestShape() const { return search_.largest / shape_scale_; }
-  /// The end of that range at which a shape lies, if it does.
+  /// The limit at which the shape lies; no value where it lies at none.
   std::optional<double> limitOfShape(const FitValues& values) const;
 
-  /// By the law's own member for it.
+  /// The value of a parameter in `values`.
   double valueOf(const FitValues& values, FitParameter parameter) const;
   double& valueOf(FitValues& values, FitParameter parameter) const;
 
-  /// The same with one coefficient fixed.
+  /// The same problem with one parameter fixed.
   FitProblem with(FitParameter fixed, double value) const;
 
  private:
@@ -81,7 +83,7 @@ class FitProblem {
   const FitData& data_;
   const ForceLawEntry& law_;
   const ShapeSearch& search_;
-  double shape_scale_ = 1;  ///< makes the shape a number without a unit: d, or 1
+  double shape_scale_ = 1;  ///< scale that makes the shape dimensionless: d, or 1
   FitSettings settings_;
   std::vector<FitParameter> free_;
 };

@@ -1,5 +1,7 @@
 #include "fit/law_fit.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,13 +33,14 @@ void refuseTooFew(const FitData& data, const FitSettings& settings, const std::s
   const auto free = static_cast<std::size_t>(std::count(settings.free.begin(), settings.free.end(), true));
   const auto points = static_cast<std::size_t>(data.force_N.size());
   if (free == 0 && !of_damping.empty())
-    throw InputError(nameOf(data.model.law(), FitParameter::damping) +
-                     " cannot be identified from this data: " + of_damping +
-                     ", and nothing else is free, expected another coefficient to fit");
+    throw InputError(
+        fmt::format("{} cannot be identified from this data: {}, and nothing else is free, expected another "
+                    "coefficient to fit",
+                    nameOf(data.model.law(), FitParameter::damping), of_damping));
   if (free == 0) throw InputError("nothing is free, expected a coefficient to fit");
   if (points <= free)
-    throw InputError(counted(points, "point") + " for " + std::to_string(free) +
-                     " free coefficients, expected more points than these");
+    throw InputError(fmt::format("{} for {} free coefficients, expected more points than these",
+                                 counted(points, "point"), free));
 }
 
 /// Throws InputError where the law with its fixed shape has no force above 0 at the measured depths.
@@ -54,9 +57,10 @@ LawFit measure(const FitProblem& problem, const LeastSquares& best, const FitDat
     throw InputError("the force does not grow with the depth, expected one that does");
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    throw InputError("the data does not determine " + namesOf(data.model.law(), problem.free()) +
-                     " (singular value ratio " + fourDigits(intervals.singularValueRatio()) +
-                     "), expected other depths, or fewer of them free");
+    throw InputError(
+        fmt::format("the data does not determine {} (singular value ratio {}), expected other depths, or "
+                    "fewer of them free",
+                    namesOf(data.model.law(), problem.free()), fourDigits(intervals.singularValueRatio())));
   LawFit fit;
   fit.model = data.model.law();
   for (auto& row : fit.correlation) row.fill(kNone);
@@ -96,13 +100,14 @@ struct DampingVerdict {
 DampingVerdict judgeDamping(const FitProblem& problem, const LeastSquares& best, const std::string& name) {
   const FitIntervals intervals(problem, best);
   if (!(intervals.singularValueRatio() > FitIntervals::least_ratio))
-    return {"k and " + name + " do the same (singular value ratio " +
-                fourDigits(intervals.singularValueRatio()) + "), as where all rates are the same",
+    return {fmt::format("k and {} do the same (singular value ratio {}), as where all rates are the same",
+                        name, fourDigits(intervals.singularValueRatio())),
             ""};
   const double reliability = intervals.rateReliability();
   if (!(reliability >= kLeastReliability))
-    return {"noise of the depths makes too much of the rates (reliability " + fourDigits(reliability) +
-                ", expected " + fourDigits(kLeastReliability) + "), expected smoother or fewer points",
+    return {fmt::format("noise of the depths makes too much of the rates (reliability {}, expected {}), "
+                        "expected smoother or fewer points",
+                        fourDigits(reliability), fourDigits(kLeastReliability)),
             ""};
   const double share = problem.viscousShare_s_m(problem.valuesAt(best.place));
   const double half_width = intervals.halfWidthOfViscousShare_s_m();
@@ -110,14 +115,16 @@ DampingVerdict judgeDamping(const FitProblem& problem, const LeastSquares& best,
   const std::string quotient = problem.law().damping_grows_with_elastic
                                    ? name + "/k"
                                    : name + " over the elastic force at the typical depth";
-  const std::string interval = "the 95 % interval of " + quotient + ", " + fourDigits(share - half_width) +
-                               " to " + fourDigits(share + half_width) + " s/m, ";
+  const std::string interval = fmt::format("the 95 % interval of {}, {} to {} s/m, ", quotient,
+                                           fourDigits(share - half_width), fourDigits(share + half_width));
   if (share + half_width < 0)
     return {"", name + " is negative, which is unphysical: are force and depth recorded at one time?"};
   if (half_width <= kNegligibleShare_s_m || half_width <= std::abs(share) / 2) return {};
   if (half_width >= std::abs(share))
-    return {interval + "holds 0 and is wider than +-" + fourDigits(kNegligibleShare_s_m) + " s/m", ""};
-  return {"", name + " is known only roughly: " + interval + "is wider than half its value to either side"};
+    return {fmt::format("{}holds 0 and is wider than +-{} s/m", interval, fourDigits(kNegligibleShare_s_m)),
+            ""};
+  return {"", fmt::format("{} is known only roughly: {}is wider than half its value to either side", name,
+                          interval)};
 }
 
 void judgeOthers(const FitProblem& problem, const FitData& data, LawFit& fit) {
@@ -133,17 +140,16 @@ void judgeOthers(const FitProblem& problem, const FitData& data, LawFit& fit) {
     const double chance = fisherTail(f, numerator, points - free);
     if (!(chance <= 0.05)) {
       const std::string why =
-          "the force hardly changes with the depth: a constant one fits as well (F test, "
-          "p = " +
-          fourDigits(chance) + ")";
+          fmt::format("the force hardly changes with the depth: a constant one fits as well (F test, p = {})",
+                      fourDigits(chance));
       hardly(why, fit.values[index(FitParameter::elastic)]);
       hardly(why, fit.values[index(FitParameter::shape)]);
     }
   }
   FittedValue& shape = fit.values[index(FitParameter::shape)];
   if (shape.low <= problem.leastShape() || shape.high >= problem.largestShape())
-    hardly("its 95 % interval reaches the limit of what is searched, " + fourDigits(problem.leastShape()) +
-               " to " + fourDigits(problem.largestShape()),
+    hardly(fmt::format("its 95 % interval reaches the limit of what is searched, {} to {}",
+                       fourDigits(problem.leastShape()), fourDigits(problem.largestShape())),
            shape);
   for (FittedValue& value : fit.values)
     if (value.free && (!std::isfinite(value.low) || !std::isfinite(value.high)))
@@ -153,13 +159,14 @@ void judgeOthers(const FitProblem& problem, const FitData& data, LawFit& fit) {
 void addNotes(LawFit& fit) {
   for (const FitParameter parameter : kFitParameters)
     if (!fit.of(parameter).problem.empty())
-      fit.notes.push_back(nameOf(fit.model, parameter) +
-                          " cannot be identified from this data: " + fit.of(parameter).problem);
+      fit.notes.push_back(fmt::format("{} cannot be identified from this data: {}",
+                                      nameOf(fit.model, parameter), fit.of(parameter).problem));
   const double most = std::max(kLargestNextCorrelation, 2.33 / std::sqrt(static_cast<double>(fit.points)));
   if (fit.points >= 20 && fit.next_correlation > most)
-    fit.notes.push_back("residuals of neighbouring points are alike (correlation " +
-                        fourDigits(fit.next_correlation) +
-                        "): the law or the data is off by more than noise, the intervals are too narrow");
+    fit.notes.push_back(
+        fmt::format("residuals of neighbouring points are alike (correlation {}): the law or the data is off "
+                    "by more than noise, the intervals are too narrow",
+                    fourDigits(fit.next_correlation)));
   if (!fit.converged) fit.notes.emplace_back("the search for the least squares has not converged");
 }
 
@@ -206,9 +213,9 @@ LawFit fitLaw(const LawModel& model, std::span<const double> force_N, std::span<
     const LeastSquares best = problem.solve();
     if (shape_free) {
       if (const std::optional<double> limit = problem.limitOfShape(problem.valuesAt(best.place))) {
-        of_shape = "the least squares lie at a limit of what is searched, " +
-                   fourDigits(problem.leastShape()) + " to " + fourDigits(problem.largestShape()) +
-                   "; it is fixed there";
+        of_shape =
+            fmt::format("the least squares lie at a limit of what is searched, {} to {}; it is fixed there",
+                        fourDigits(problem.leastShape()), fourDigits(problem.largestShape()));
         valueOf(law, used.fixed, FitParameter::shape) = *limit;
         shape_free = false;
         continue;

@@ -2,8 +2,8 @@
 
 namespace fissure {
 
-/// Where a measured point and a simulation meet: at one time since the start, or at one depth, the way of the
-/// tool until it is deepest.
+/// The quantity by which measured and simulated points are matched: the time since the start, or the depth,
+/// that is, the displacement of the tool until it is deepest.
 enum class MatchBy { time, depth };
 
 }  // namespace fissure

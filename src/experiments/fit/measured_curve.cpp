@@ -1,5 +1,7 @@
 #include "fit/measured_curve.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -90,8 +92,8 @@ CurveColumn parseColumn(const std::string& item) {
   const std::string unit = column.column.substr(colon + 1);
   column.to_si = factorOf(unit, *role);
   if (!column.to_si)
-    throw InputError("--columns " + item + ": \"" + unit + "\" is no unit of a " + std::string(role->name) +
-                     ", expected " + (role->units.empty() ? "none" : unitsOf(*role) + " or a factor"));
+    throw InputError(fmt::format("--columns {}: \"{}\" is no unit of a {}, expected {}", item, unit,
+                                 role->name, role->units.empty() ? "none" : unitsOf(*role) + " or a factor"));
   column.column.resize(colon);
   return column;
 }
@@ -118,8 +120,8 @@ void sortByDepth(MeasuredCurve& curve) {
 }
 
 std::string weightsOf(const MeasuredCurve& curve) {
-  return labelOf(curve) + (curve.weighted_by ? " by " + std::string(infoOf(*curve.weighted_by).name)
-                                             : std::string(" by nothing"));
+  return fmt::format("{} by {}", labelOf(curve),
+                     curve.weighted_by ? infoOf(*curve.weighted_by).name : "nothing");
 }
 
 /// Throws InputError where two curves that are to be fitted as one are not of one kind.
@@ -128,8 +130,8 @@ void refuseOtherKind(const MeasuredCurve& first, const MeasuredCurve& other) {
     throw InputError(labelOf(first.depth_m.empty() ? first : other) + " has no depths, but " +
                      labelOf(first.depth_m.empty() ? other : first) + ", expected depths in all");
   if (first.weighted_by != other.weighted_by)
-    throw InputError("weights of different kinds, " + weightsOf(first) + " and " + weightsOf(other) +
-                     ", expected one kind");
+    throw InputError(fmt::format("weights of different kinds, {} and {}, expected one kind", weightsOf(first),
+                                 weightsOf(other)));
 }
 
 /// Takes a file row by row.
@@ -171,9 +173,9 @@ class CurveReader {
       if (!curve.depth_m.empty()) leaveOutBeforeContact(curve);
       if (curve.force_N.empty())
         throw InputError(inFile(table_.fileName()),
-                         "no row of curve " + curve.name +
-                             " is a point of contact, expected numbers and depths >= 0 (is the "
-                             "depth's sign turned? a factor of -0.001 makes it metres)");
+                         fmt::format("no row of curve {} is a point of contact, expected numbers and depths "
+                                     ">= 0 (is the depth's sign turned? a factor of -0.001 makes it metres)",
+                                     curve.name));
       warn(curve);
       curve.file = table_.fileName();
       for (const CurveRole role : {CurveRole::sigma, CurveRole::weight})
@@ -208,7 +210,7 @@ class CurveReader {
     if (!is_number || std::find(names.begin(), names.end(), column) != names.end())
       return table_.column(column);
     if (number < 1 || number > names.size())
-      throw fileError("no column " + column, "a number from 1 to " + std::to_string(names.size()));
+      throw fileError("no column " + column, fmt::format("a number from 1 to {}", names.size()));
     return number - 1;
   }
 
@@ -217,9 +219,9 @@ class CurveReader {
     const std::string_view unit = partsOf(name, info).unit;
     if (!to_si && !info.units.empty()) {
       if (unit.empty())
-        throw fileError("column \"" + logExcerpt(name) + "\" has no unit of a " + std::string(info.name),
-                        "it in the name, or after a colon: " + std::string(info.name) + "=" +
-                            logExcerpt(name) + ":" + std::string(info.units.begin()->first));
+        throw fileError(fmt::format("column \"{}\" has no unit of a {}", logExcerpt(name), info.name),
+                        fmt::format("it in the name, or after a colon: {}={}:{}", info.name, logExcerpt(name),
+                                    info.units.begin()->first));
       to_si = info.units.at(unit);
     }
     columns_[info.role] = {column, to_si.value_or(1)};
@@ -234,7 +236,7 @@ class CurveReader {
       if (std::find(info.stems.begin(), info.stems.end(), stem) != info.stems.end()) found.push_back(i);
     }
     if (found.size() > 1)
-      throw fileError(std::to_string(found.size()) + " columns may be the " + std::string(info.name),
+      throw fileError(fmt::format("{} columns may be the {}", found.size(), info.name),
                       "--columns to choose one");
     if (!found.empty()) use(info, found.front(), std::nullopt);
   }
@@ -246,14 +248,14 @@ class CurveReader {
     if (std::isinf(value))
       throw InputError(
           inFile(table_.fileName(), table_.line()),
-          "an infinite " + std::string(infoOf(role).name) + ", expected a number like 0.0125 or nothing");
+          fmt::format("an infinite {}, expected a number like 0.0125 or nothing", infoOf(role).name));
     return value * column->second.to_si;
   }
 
   MeasuredCurve& curveOfRow() {
     const auto column = columns_.find(CurveRole::curve);
     const std::string name =
-        column == columns_.end() ? stem_ : stem_ + ":" + std::string(table_.text(column->second.column));
+        column == columns_.end() ? stem_ : fmt::format("{}:{}", stem_, table_.text(column->second.column));
     const auto [entry, is_new] = index_.try_emplace(name, curves_.size());
     if (is_new) curves_.emplace_back().name = name;
     return curves_[entry->second];
@@ -304,13 +306,12 @@ class CurveReader {
   static void warnOutside(double value, double least, double most, const std::string& what,
                           const std::string& unit, MeasuredCurve& curve) {
     if (value >= least && value <= most) return;
-    curve.warnings.push_back("the largest " + what + " is " + formatReal(value) + " " + unit +
-                             ", usual are " + formatReal(least) + " to " + formatReal(most) + " " + unit +
-                             ": is its unit right?");
+    curve.warnings.push_back(
+        fmt::format("the largest {0} is {1} {2}, usual are {3} to {4} {2}: is its unit right?", what,
+                    formatReal(value), unit, formatReal(least), formatReal(most)));
   }
 
-  // Probing of organs with tools: beyond these limits a unit is more often wrong by 1000 than a value is
-  // right.
+  // Probing of organs with tools: beyond these a unit is more often wrong by 1000 than a value is right.
   static void warn(MeasuredCurve& curve) {
     double force_N = 0;
     for (const double force : curve.force_N) force_N = std::max(force_N, std::abs(force));

@@ -1,5 +1,7 @@
 #include "fit/modulus_fit.h"
 
+#include <fmt/core.h>
+
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -209,9 +211,10 @@ void noteWhatIsNotTold(const std::vector<std::size_t>& free, ModulusFit& fit) {
   for (const std::size_t a : free)
     for (const std::size_t b : free) {
       if (a >= b || std::abs(fit.correlation[a][b]) < kStrongCorrelation) continue;
-      fit.notes.push_back(nameOf(kModulusParameters[a]) + " and " + nameOf(kModulusParameters[b]) +
-                          " do nearly the same here (correlation " + fourDigits(fit.correlation[a][b]) +
-                          "): each is only as good as what is said of the other");
+      fit.notes.push_back(fmt::format(
+          "{} and {} do nearly the same here (correlation {}): each is only as good as what is said of the "
+          "other",
+          nameOf(kModulusParameters[a]), nameOf(kModulusParameters[b]), fourDigits(fit.correlation[a][b])));
     }
 }
 
@@ -246,9 +249,8 @@ void predict(const ModulusProblem& problem, const ModulusIntervals& intervals, c
                                quartiles ? beyond.upper_quartile_N[i] : std::nan("")});
   }
   if (missed > 0)
-    fit.notes.push_back(counted(missed, "point") +
-                        " not predicted, deeper than the simulation, which ends at " +
-                        withUnit(press.deepest_m() - values[2], "m"));
+    fit.notes.push_back(fmt::format("{} not predicted, deeper than the simulation, which ends at {}",
+                                    counted(missed, "point"), withUnit(press.deepest_m() - values[2], "m")));
 }
 
 /// The points up to the limit, and the others.
@@ -260,10 +262,11 @@ std::pair<MeasuredCurve, MeasuredCurve> parted(const MeasuredCurve& curve, doubl
 }
 
 InputError tooDeep(double depth_m, const PressCurve& press, double d0_m) {
-  return InputError("a point " + withUnit(depth_m, "m") + " deep" +
-                    (d0_m == 0 ? "" : ", moved by d0 = " + withUnit(d0_m, "m") + ",") +
-                    " is deeper than the simulation, which ends at " + withUnit(press.deepest_m(), "m") +
-                    ", expected a deeper press, or --most-depth");
+  const std::string moved = d0_m == 0 ? "" : fmt::format(", moved by d0 = {},", withUnit(d0_m, "m"));
+  return InputError(
+      fmt::format("a point {} deep{} is deeper than the simulation, which ends at {}, expected a deeper "
+                  "press, or --most-depth",
+                  withUnit(depth_m, "m"), moved, withUnit(press.deepest_m(), "m")));
 }
 
 }  // namespace
@@ -281,8 +284,8 @@ ModulusFit fitModulus(const PressCurve& press, const MeasuredCurve& curve, const
   const auto [points, beyond] = parted(curve, settings.most_depth_m);
   const auto free = static_cast<std::size_t>(std::count(settings.free.begin(), settings.free.end(), true));
   if (points.force_N.size() <= free)
-    throw InputError(counted(points.force_N.size(), "point") + " for " + counted(free, "free parameter") +
-                     ", expected more points than these");
+    throw InputError(fmt::format("{} for {}, expected more points than these",
+                                 counted(points.force_N.size(), "point"), counted(free, "free parameter")));
   const ModulusProblem problem(press, points, settings);
   if (problem.largestDepth_m() > press.deepest_m()) throw tooDeep(problem.largestDepth_m(), press, 0);
   if (!(problem.largestDepth_m() > 0)) throw InputError("no depth above 0, expected points of a press");

@@ -1,5 +1,7 @@
 #include "fit/press_curve.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -18,24 +20,16 @@ namespace fissure {
 
 namespace {
 
-/// Of what a slow press has in motion and viscosity beside its stored energy.
+/// Most kinetic energy and viscous loss of a press that counts as slow, as a share of its stored energy.
 constexpr double kMostLostShare = 0.03;
 
 std::vector<double> seriesOf(const RunReader& reader, const std::string& name, std::size_t columns) {
   const StoredQuantity* quantity = reader.find(name);
   if (quantity == nullptr || quantity->row_axis != "time" || quantity->columns() != columns)
-    throw InputError(inFile(reader.file()), "no series " + name + " of " + counted(columns, "number") +
-                                                " a step, expected the result of a run with a tool");
+    throw InputError(inFile(reader.file()),
+                     fmt::format("no series {} of {} a step, expected the result of a run with a tool", name,
+                                 counted(columns, "number")));
   return reader.all(*quantity);
-}
-
-const BodySettings& elasticBody(const Scenario& scenario, const std::filesystem::path& file) {
-  if (scenario.bodies.size() != 1 || scenario.bodies.front().model != BodyModel::elastic)
-    throw InputError(inFile(file), scenario.bodies.size() == 1
-                                       ? "its body has no modulus, expected one with model: elastic"
-                                       : counted(scenario.bodies.size(), "body", "bodies") +
-                                             ", expected one, with model: elastic");
-  return scenario.bodies.front();
 }
 
 /// What does not scale with the modulus, or keeps its share of it.
@@ -55,8 +49,10 @@ void noteWhatDoesNotScale(const Scenario& scenario, const RunReader& reader, Pre
         *std::max_element(values_J.begin(), values_J.end());
   }
   if (stored_J > 0 && lost_J > kMostLostShare * stored_J)
-    press.notes.push_back("motion and damping took " + fourDigits(lost_J / stored_J) +
-                          " of the energy stored in the simulation: a slower press is nearer to E alone");
+    press.notes.push_back(
+        fmt::format("motion and damping took {} of the energy stored in the simulation: a slower press is "
+                    "nearer to E alone",
+                    fourDigits(lost_J / stored_J)));
 }
 
 }  // namespace
@@ -97,13 +93,24 @@ void takePress(const std::vector<double>& positions_m, const std::vector<double>
   keepDeepening(press.depth_m, press.force_N);
 }
 
+void requirePress(const Scenario& scenario, const std::filesystem::path& file) {
+  if (scenario.bodies.size() != 1)
+    throw InputError(inFile(file), counted(scenario.bodies.size(), "body", "bodies") +
+                                       ", expected one, with model: elastic");
+  if (scenario.bodies.front().model != BodyModel::elastic)
+    throw InputError(inFile(file), "its body has no modulus, expected one with model: elastic");
+  if (scenario.tools.size() != 1)
+    throw InputError(inFile(file), counted(scenario.tools.size(), "tool") + ", expected one");
+}
+
 PressCurve readPress(const std::filesystem::path& file, const std::string& run) {
   const ResultInfo info = readResultInfo(file);
   if (info.reference)
     throw InputError(inFile(file), "a reference, which holds a few steps alone, expected a whole result");
   const std::string name = run.empty() ? onlyRun(info, file) : run;
   const Scenario scenario = parseStoredScenario(info.scenario_resolved).scenario;
-  const BodySettings& body = elasticBody(scenario, file);
+  requirePress(scenario, file);
+  const BodySettings& body = scenario.bodies.front();
   PressCurve press{.label = file.string() + ":" + name,
                    .material = std::string(nameIn(catalog().elastic_materials, body.elastic.material)),
                    .youngs_modulus_Pa = body.elastic.youngs_modulus_Pa,
@@ -116,7 +123,7 @@ PressCurve readPress(const std::filesystem::path& file, const std::string& run) 
   try {
     takePress(positions_m, reactions_N, press);
   } catch (const InputError& error) {
-    throw InputError(inFile(file), "run " + name + ": " + error.what());
+    throw InputError(inFile(file), fmt::format("run {}: {}", name, error.what()));
   }
   noteWhatDoesNotScale(scenario, reader, press);
   return press;

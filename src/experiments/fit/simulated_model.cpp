@@ -1,5 +1,7 @@
 #include "fit/simulated_model.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -142,8 +144,10 @@ std::string rateNote(const MeasuredCurve& curve, const SimulatedRun& run,
   const double measured = std::sqrt(std::max(0.0, measured_m2_s2)),
                simulated = std::sqrt(meanSquare(simulated_m_s));
   if (measured <= 2 * simulated && simulated <= 2 * measured) return "";
-  return "typical rates are " + fourDigits(measured) + " m/s in the curve and " + fourDigits(simulated) +
-         " m/s in the simulation, whose count: expected a simulation as fast, or --match time";
+  return fmt::format(
+      "typical rates are {} m/s in the curve and {} m/s in the simulation, whose count: expected a "
+      "simulation as fast, or --match time",
+      fourDigits(measured), fourDigits(simulated));
 }
 
 }  // namespace
@@ -152,8 +156,8 @@ std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file) {
   if (info.pipelines.size() == 1) return info.pipelines.front().name;
   std::string names;
   for (const PipelineResult& run : info.pipelines) names += (names.empty() ? "" : ", ") + run.name;
-  throw InputError(inFile(file), std::to_string(info.pipelines.size()) + " runs (" + names +
-                                     "), expected FILE:NAME to choose one");
+  throw InputError(inFile(file), fmt::format("{} runs ({}), expected FILE:NAME to choose one",
+                                             info.pipelines.size(), names));
 }
 
 SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::string& run) {
@@ -167,7 +171,7 @@ SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::stri
   const std::size_t steps = read.inputs.times_s.size();
   if (position == nullptr || position->rows != steps || position->columns() < 3 ||
       read.laws.size() != read.inputs.laws.size())
-    throw InputError(inFile(file), "run " + name + " has other tool positions than force_inputs");
+    throw InputError(inFile(file), fmt::format("run {} has other tool positions than force_inputs", name));
   const std::vector<double> positions_m = reader.all(*position);
   const std::vector<std::size_t>& sizes = read.inputs.row_sizes;
   const auto touched = static_cast<std::size_t>(
@@ -182,7 +186,7 @@ SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const Mea
                               MatchBy by) {
   const std::vector<double>& measured = by == MatchBy::time ? curve.time_s : curve.depth_m;
   const std::string what = by == MatchBy::time ? "times" : "depths";
-  if (measured.empty()) throw InputError("the curve has no " + what + ", expected a column of them");
+  if (measured.empty()) throw InputError(fmt::format("the curve has no {}, expected a column of them", what));
   std::vector<std::size_t> steps;
   if (by == MatchBy::depth) steps = deepeningSteps(run);
   for (std::size_t step = 0; by == MatchBy::time && step < run.inputs.times_s.size(); ++step)
@@ -199,14 +203,15 @@ SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const Mea
     reached.push_back(i);
   }
   if (interpolations.empty())
-    throw InputError("the simulation reaches none of its " + what +
-                     (values.empty() ? ": it meets no tissue"
-                                     : ": it has " + fourDigits(values.front()) + " to " +
-                                           fourDigits(values.back()) + (by == MatchBy::time ? " s" : " m")));
+    throw InputError(fmt::format(
+        "the simulation reaches none of its {}: {}", what,
+        values.empty() ? "it meets no tissue"
+                       : fmt::format("it has {} to {} {}", fourDigits(values.front()),
+                                     fourDigits(values.back()), by == MatchBy::time ? "s" : "m")));
   MeasuredCurve kept = pointsOf(curve, reached);
   if (reached.size() < measured.size())
-    kept.warnings.push_back("left out " + std::to_string(measured.size() - reached.size()) + " of " +
-                            std::to_string(measured.size()) + " points that the simulation does not reach");
+    kept.warnings.push_back(fmt::format("left out {} of {} points that the simulation does not reach",
+                                        measured.size() - reached.size(), measured.size()));
   const bool by_depth = by == MatchBy::depth;
   const std::string back = by_depth ? wayBackNote(kept) : "";
   if (!back.empty()) kept.warnings.push_back(back);

@@ -1,5 +1,7 @@
 #include "slurm/sbatch_options.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -62,13 +64,14 @@ void refuseScript(const std::string& word, const std::string& before) {
   const bool may_be_value = before.size() > 1 && before[0] == '-' && before.find('=') == std::string::npos;
   std::error_code ignored;
   if (word == "-" || word == "--" || !may_be_value)
-    throw InputError("-- " + word +
-                     ": is no option of sbatch, expected options alone, because the script is " +
-                     "that of the sweep");
+    throw InputError(fmt::format(
+        "-- {}: is no option of sbatch, expected options alone, because the script is that of the sweep",
+        word));
   if (std::filesystem::is_regular_file(word, ignored))
-    throw InputError("-- " + before + " " + word +
-                     ": names a file, which sbatch could take for the script, " +
-                     "expected it behind a = (--option=" + word + ")");
+    throw InputError(
+        fmt::format("-- {0} {1}: names a file, which sbatch could take for the script, expected it behind a "
+                    "= (--option={1})",
+                    before, word));
 }
 
 }  // namespace
@@ -84,11 +87,11 @@ void refuseUnfitOptions(const std::vector<std::string>& options) {
     if (!word.starts_with('-') || word == "-" || word == "--")
       refuseScript(word, i == 0 ? "" : options[i - 1]);
     for (const Unfit& each : unfit)
-      if (is(word, each.option)) throw InputError("-- " + word + ": " + each.expected);
+      if (is(word, each.option)) throw InputError(fmt::format("-- {}: {}", word, each.expected));
   }
   for (const Unfit& each : unfit)
     if (*each.variable && std::getenv(each.variable))
-      throw InputError(std::string(each.variable) + " is set: " + each.expected);
+      throw InputError(fmt::format("{} is set: {}", each.variable, each.expected));
 }
 
 }  // namespace fissure

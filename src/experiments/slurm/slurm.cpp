@@ -1,6 +1,7 @@
 #include "slurm/slurm.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <pwd.h>
 #include <unistd.h>
 
@@ -124,16 +125,20 @@ bool hasSlurm() {
 void requireSlurm() {
   for (const char* name : {"sbatch", "squeue", "scontrol"})
     if (!programOnPath(name))
-      throw InputError("--engine slurm: there is no " + std::string(name) +
-                       " on PATH, expected a machine of a Slurm cluster; elsewhere use --shard I/N");
+      throw InputError(
+          fmt::format("--engine slurm: there is no {} on PATH, expected a machine of a Slurm cluster; "
+                      "elsewhere use --shard I/N",
+                      name));
 }
 
 SlurmLimits slurmLimits() {
   const std::string config = said("scontrol", {"show", "config"});
   const SlurmLimits limits = {configured(config, "MaxArraySize"), configured(config, "MaxJobCount")};
   if (limits.max_array_size < 2)
-    throw InputError("--engine slurm: this cluster takes no arrays (MaxArraySize " +
-                     std::to_string(limits.max_array_size) + "), expected jobs of your own with --shard I/N");
+    throw InputError(
+        fmt::format("--engine slurm: this cluster takes no arrays (MaxArraySize {}), expected jobs of your "
+                    "own with --shard I/N",
+                    limits.max_array_size));
   return limits;
 }
 
@@ -178,8 +183,8 @@ void recordJob(const fs::path& folder, const SlurmJob& job) {
   const Descriptor jobs(::open(file.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   const std::string line = job.id + " " + job.what + "\n";
   if (!jobs.open() || ::write(jobs.number(), line.data(), line.size()) != static_cast<ssize_t>(line.size()))
-    throw RunError(file.string() + ": cannot write: " + std::strerror(errno) + "; job " + job.id +
-                   " is queued all the same");
+    throw RunError(fmt::format("{}: cannot write: {}; job {} is queued all the same", file.string(),
+                               std::strerror(errno), job.id));
 }
 
 std::vector<SlurmJob> recordedJobs(const fs::path& folder) {
@@ -209,7 +214,7 @@ std::vector<QueuedJob> queuedJobs(const std::vector<SlurmJob>& jobs) {
     if (found == states.end()) continue;
     std::string text;
     for (const auto& [name, count] : found->second)
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+      text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, name);
     queued.push_back({job, text});
   }
   return queued;
@@ -218,7 +223,7 @@ std::vector<QueuedJob> queuedJobs(const std::vector<SlurmJob>& jobs) {
 std::string describe(const std::vector<QueuedJob>& queued) {
   std::string text;
   for (const QueuedJob& each : queued)
-    text += (text.empty() ? "" : "; ") + each.job.id + " (" + each.job.what + "): " + each.states;
+    text += fmt::format("{}{} ({}): {}", text.empty() ? "" : "; ", each.job.id, each.job.what, each.states);
   return text;
 }
 

@@ -1,5 +1,7 @@
 #include "slurm/slurm_scripts.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <optional>
 #include <string_view>
@@ -13,12 +15,12 @@ namespace {
 namespace fs = std::filesystem;
 
 std::string aboutLine(const ArrayScript& script) {
-  return "# Sweep " + script.sweep + ": " + std::to_string(script.simulations) + " simulations dealt to " +
-         std::to_string(script.shards) + " shards.";
+  return fmt::format("# Sweep {}: {} simulations dealt to {} shards.", script.sweep, script.simulations,
+                     script.shards);
 }
 
 std::string arrayLine(const ArrayScript& script) {
-  return "#SBATCH --array=1-" + std::to_string(script.shards) + script.throttle;
+  return fmt::format("#SBATCH --array=1-{}{}", script.shards, script.throttle);
 }
 
 std::string shardsLine(const ArrayScript& script) {
@@ -249,9 +251,10 @@ ArrayScript readArrayScript(const std::string& text, const fs::path& file) {
   const auto need = [&](const auto& read, const char* expected) {
     const auto line = findLine(text, read);
     if (!line)
-      throw InputError(inFile(file),
-                       std::string("has no line ") + expected +
-                           ", expected it as it was written, or no file, to have it written anew");
+      throw InputError(
+          inFile(file),
+          fmt::format("has no line {}, expected it as it was written, or no file, to have it written anew",
+                      expected));
     return line->value;
   };
   ArrayScript script;
@@ -265,8 +268,10 @@ ArrayScript readArrayScript(const std::string& text, const fs::path& file) {
   script.program = need(readProgram, "program='...'");
   if (script.shards == 0) throw InputError(inFile(file), "shards=0, expected at least 1");
   if (numberOf(array.last) != script.shards)
-    throw InputError(inFile(file), "--array=1-" + array.last + " with " + shardsLine(script) +
-                                       ", expected the same number in both; to change it, --shards N");
+    throw InputError(
+        inFile(file),
+        fmt::format("--array=1-{} with {}, expected the same number in both; to change it, --shards N",
+                    array.last, shardsLine(script)));
   return script;
 }
 
@@ -292,7 +297,7 @@ std::string arrayRanges(const std::vector<std::size_t>& indices) {
     i = last + 1;
   }
   constexpr std::size_t longest = 16000;  // far below what one word of a command may have
-  if (ranges.size() > longest) return std::to_string(indices.front()) + "-" + std::to_string(indices.back());
+  if (ranges.size() > longest) return fmt::format("{}-{}", indices.front(), indices.back());
   return ranges;
 }
 

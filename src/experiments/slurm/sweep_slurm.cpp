@@ -1,5 +1,7 @@
 #include "slurm/sweep_slurm.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
@@ -63,8 +65,8 @@ std::string words(const std::vector<std::string>& arguments) {
 SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::optional<int> slots)
     : folder_(std::move(folder)), options_(std::move(options)), given_slots_(slots) {
   if (!options_.sbatch.empty() && !options_.sbatch.front().starts_with('-'))
-    throw InputError("sweep: " + options_.sbatch.front() +
-                     " was not expected; options of sbatch come after --");
+    throw InputError(
+        fmt::format("sweep: {} was not expected; options of sbatch come after --", options_.sbatch.front()));
   refuseUnfitOptions(options_.sbatch);
   if (fs::absolute(folder_).string().find_first_of("%\\") != std::string::npos)
     throw InputError(
@@ -74,8 +76,9 @@ SlurmSubmission::SlurmSubmission(fs::path folder, SlurmOptions options, std::opt
   limits_ = slurmLimits();
   if (!options_.no_submit && !options_.dry_run) queued_ = queuedJobs(recordedJobs(folder_));
   if (!queued_.empty() && !options_.again)
-    throw InputError(inFile(folder_), "jobs of this sweep are queued, " + describe(queued_) +
-                                          "; expected their end, or --again");
+    throw InputError(
+        inFile(folder_),
+        fmt::format("jobs of this sweep are queued, {}; expected their end, or --again", describe(queued_)));
   std::error_code ignored;
   if (fs::exists(arrayScriptFile(folder_), ignored)) {
     array_text_ = readTextFile(arrayScriptFile(folder_));
@@ -92,15 +95,13 @@ bool SlurmSubmission::keepsShards(std::size_t simulations) const {
 ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, const SweepEstimate& estimate,
                                     std::ostream& out) const {
   const std::size_t most = limits_.mostShards();
-  const std::string here = "this cluster takes " + std::to_string(most) + " in an array (MaxArraySize " +
-                           std::to_string(limits_.max_array_size) + ", MaxJobCount " +
-                           std::to_string(limits_.max_job_count) + ")";
+  const std::string here = fmt::format("this cluster takes {} in an array (MaxArraySize {}, MaxJobCount {})",
+                                       most, limits_.max_array_size, limits_.max_job_count);
   const std::size_t all = plan.tasks().size();
   std::size_t shards = 1;
   if (options_.shards) {
     shards = static_cast<std::size_t>(*options_.shards);
-    if (shards > most)
-      throw InputError("--shards " + std::to_string(shards) + ": " + here + ", expected at most that");
+    if (shards > most) throw InputError(fmt::format("--shards {}: {}, expected at most that", shards, here));
     shards = std::min(shards, all);
   } else if (keepsShards(all)) {
     shards = array_->shards;
@@ -115,7 +116,7 @@ ArrayScript SlurmSubmission::choose(const SweepPlan& plan, std::size_t tasks, co
     shards = std::max<std::size_t>(1, std::min({wished, most, may}));
     if (shards < wished)
       out << "slurm: " << wished << " shards would be right, "
-          << (may < most ? "you may have " + std::to_string(may) + " beside the merge (MaxSubmitJobs)" : here)
+          << (may < most ? fmt::format("you may have {} beside the merge (MaxSubmitJobs)", may) : here)
           << "\n";
   }
   return {plan.manifest().settings.name,    all,           shards,
@@ -179,11 +180,11 @@ void SlurmSubmission::submitMerge(Submitted& submitted, std::ostream& out) const
   try {
     submitted.merge_job = submitJob(arguments);
   } catch (const RunError& error) {
-    submitted.merge_refused =
-        std::string("the merge was not submitted: ") + error.what() +
-        (after.empty() ? "; to merge: "
-                       : "; the shards are queued, job " + after + "; when they have ended: ") +
-        "fissure sweep merge " + shellWord(folder_.string());
+    const std::string when = after.empty()
+                                 ? "to merge"
+                                 : fmt::format("the shards are queued, job {}; when they have ended", after);
+    submitted.merge_refused = fmt::format("the merge was not submitted: {}; {}: fissure sweep merge {}",
+                                          error.what(), when, shellWord(folder_.string()));
     return;
   }
   out << "slurm: job " << submitted.merge_job << " merges" << (after.empty() ? "" : " when they have ended")

@@ -12,39 +12,46 @@
 
 namespace fissure {
 
+/// The command-line options of sweeps on a Slurm cluster.
 struct SlurmOptions {
-  std::string engine = "local";         ///< or "slurm"
-  std::optional<int> shards;            ///< default: by shard_minutes, later as they were
-  std::optional<double> shard_minutes;  ///< wall time that a shard should take; default: 20
+  /// "local" or "slurm".
+  std::string engine = "local";
+  std::optional<int> shards;  ///< number of shards; default: from shard_minutes, later as in the script
+  std::optional<double> shard_minutes;  ///< intended wall time of a shard; default: 20
   bool no_submit = false;
   bool dry_run = false;
-  bool again = false;               ///< although jobs of this sweep are queued
-  std::vector<std::string> sbatch;  ///< its options, what follows "--"
+  bool again = false;  ///< submit although jobs of this sweep are queued
+  /// Options for sbatch: the words after "--".
+  std::vector<std::string> sbatch;
 };
 
-/// What was submitted.
+/// The submitted jobs.
 struct Submitted {
   std::size_t shards = 1;
-  std::string missing;               ///< shards that miss something, as sbatch wants them: "1,4-7"
-  std::string array_job, merge_job;  ///< empty: not submitted
-  std::string merge_refused;         ///< why the merge was not, though it should
+  /// Shards with missing simulations, in the syntax of sbatch: "1,4-7".
+  std::string missing;
+  std::string array_job, merge_job;  ///< job ids; empty: not submitted
+  std::string merge_refused;         ///< why the merge job could not be submitted; empty: no problem
 };
 
-/// A sweep on a Slurm cluster: writes its sbatch files and submits what is missing. What is missing is read
-/// from the sweep's own files alone; Slurm is only asked which jobs still wait, so as not to submit twice.
+/// Submits a sweep to a Slurm cluster: writes its sbatch files and submits jobs for the missing simulations.
+/// These are known from the sweep's own files; Slurm is asked only for jobs that still wait or run, to avoid
+/// submitting twice.
 class SlurmSubmission {
  public:
-  /// `slots`: of each shard; default: as in the sweep's array.sbatch, else 1. Throws InputError where there
-  /// is no Slurm, the options of sbatch do not fit, or while jobs of this sweep are queued; RunError where
-  /// the cluster does not answer.
+  /// `slots`: simulations at the same time per shard; default: as in the sweep's array.sbatch, else 1. Throws
+  /// InputError where there is no Slurm, for unfit options of sbatch, or while jobs of this sweep are queued;
+  /// RunError where the cluster does not answer.
   SlurmSubmission(std::filesystem::path folder, SlurmOptions options, std::optional<int> slots);
 
   int slots() const { return slots_; }
-  /// Whether the number of shards depends on how long simulations take, in a plan of so many.
+  /// Whether the number of shards depends on the wall time of simulations, for a plan with this number of
+  /// them.
   bool choosesByTime(std::size_t simulations) const { return !options_.shards && !keepsShards(simulations); }
 
-  /// `tasks`: unfinished ones of the plan, whose manifest is in the folder. Says on `out` what it does.
-  /// Throws InputError for more shards than the cluster takes, RunError when sbatch refuses the array.
+  /// Submits jobs for `tasks`, the unfinished tasks of the plan, whose manifest must be in the folder.
+  /// Reports to `out`. Throws InputError for more shards than the cluster accepts, RunError when sbatch
+  /// refuses the array.
   Submitted submit(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
                    const SweepEstimate& estimate, std::ostream& out);
 
@@ -65,11 +72,11 @@ class SlurmSubmission {
   int slots_ = 1;
   SlurmLimits limits_;
   std::vector<QueuedJob> queued_;
-  std::string array_text_;            ///< of the file that is there
-  std::optional<ArrayScript> array_;  ///< what it says
+  std::string array_text_;            ///< text of the existing array.sbatch
+  std::optional<ArrayScript> array_;  ///< values in that file
 };
 
-/// A line about the jobs of a sweep that were recorded; nothing where none were, or there is no Slurm here.
+/// Prints a line about the recorded jobs of a sweep; nothing where there are none, or without Slurm.
 void printJobs(const std::filesystem::path& folder, std::ostream& out);
 
 }  // namespace fissure

@@ -1,12 +1,12 @@
 #include "sweep/journal.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -30,12 +30,6 @@ constexpr std::int64_t most_bytes = std::int64_t{1} << 40;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-std::string lengthText(std::size_t length) {
-  std::array<char, 17> text{};
-  std::snprintf(text.data(), text.size(), "%016zx", length);
-  return text.data();
 }
 
 /// The record at the stream's place; nothing when it is torn or damaged, or at the end.
@@ -105,8 +99,8 @@ JournalWriter::JournalWriter(const fs::path& folder) {
   constexpr int ending = 9;
   if (!error) file_ = Descriptor(::mkostemps(name.data(), ending, O_APPEND | O_CLOEXEC));
   if (!file_.open())
-    throw RunError(folder.string() +
-                   ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
+    throw RunError(fmt::format("{}: cannot be written: {}", folder.string(),
+                               error ? error.message() : std::strerror(errno)));
   ::fchmod(file_.number(), 0644);
   ::flock(file_.number(), LOCK_EX);  // where the file system has no locks, leftovers stay
   path_ = fs::path(name).replace_extension(".journal");
@@ -126,7 +120,7 @@ JournalWriter::~JournalWriter() {
 
 void JournalWriter::append(const std::string& record) {
   std::string bytes(mark);
-  bytes += lengthText(record.size()) + fnv1a64(record) + record;
+  bytes += fmt::format("{:016x}", record.size()) + fnv1a64(record) + record;
   std::size_t done = 0;
   while (done < bytes.size()) {
     const ssize_t count = ::write(file_.number(), bytes.data() + done, bytes.size() - done);
@@ -134,7 +128,8 @@ void JournalWriter::append(const std::string& record) {
     if (count < 0) {
       const std::string reason = std::strerror(errno);
       const int cut = ::ftruncate(file_.number(), size_);  // if that fails too, the checksum tells
-      throw RunError(path_.string() + ": cannot write: " + reason + (cut == 0 ? "" : ", its end is torn"));
+      throw RunError(
+          fmt::format("{}: cannot write: {}{}", path_.string(), reason, cut == 0 ? "" : ", its end is torn"));
     }
     done += static_cast<std::size_t>(count);
   }

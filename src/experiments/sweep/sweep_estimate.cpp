@@ -1,17 +1,14 @@
 #include "sweep/sweep_estimate.h"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <fstream>
 
 #include "batch/engine_program.h"
+#include "batch/pilot_runs.h"
 #include "check/run_plan.h"
-#include "process/worker_pool.h"
+#include "files/temporary_folder.h"
+#include "files/write_file.h"
 #include "sweep/sweep_session.h"
-#include "task/run_recorder.h"
 
 namespace fissure {
 
@@ -19,50 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double timed_for_s = 2;
-
-/// A folder that is gone afterwards.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::error_code error;
-    std::string name = (fs::temp_directory_path(error) / "fissure-XXXXXX").string();
-    if (!error && ::mkdtemp(name.data())) path_ = name;
-  }
-  ~ScratchFolder() {
-    std::error_code ignored;
-    if (!path_.empty()) fs::remove_all(path_, ignored);
-  }
-  ScratchFolder(const ScratchFolder&) = delete;
-  ScratchFolder& operator=(const ScratchFolder&) = delete;
-  const fs::path& path() const { return path_; }  ///< empty: it cannot be made
-
- private:
-  fs::path path_;
-};
-
-/// Wall time of tasks from how far each comes in a moment.
-class Timing : public PoolObserver {
- public:
-  void started(std::size_t) override { start_ = Clock::now(); }
-  void progressed(std::size_t, const Progress& progress) override { progress_ = progress; }
-  void finished(std::size_t, const RunStatus& status) override {
-    const double wall_s = std::chrono::duration<double>(Clock::now() - start_).count();
-    if (status.end == RunEnd::ok) times_s_.push_back(wall_s);
-    if (status.end == RunEnd::timeout && progress_.step > 0)
-      times_s_.push_back(wall_s * static_cast<double>(progress_.steps) / static_cast<double>(progress_.step));
-    progress_ = {};
-  }
-  void woke() override {}
-
-  const std::vector<double>& times_s() const { return times_s_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_;
-  Progress progress_;
-  std::vector<double> times_s_;
-};
+constexpr int pilot_of = 10;  ///< one step of so many
+constexpr double longest_pilot_s = 20;
 
 std::optional<double> meanOf(const std::vector<double>& values) {
   if (values.empty()) return std::nullopt;
@@ -73,21 +28,28 @@ std::optional<double> meanOf(const std::vector<double>& values) {
 
 std::optional<double> timeSome(const SweepPlan& plan, const std::vector<std::size_t>& tasks,
                                Interrupt& interrupt) {
-  const ScratchFolder scratch;
-  if (scratch.path().empty()) return std::nullopt;
+  const TemporaryFolder scratch;
   std::vector<WorkerTask> some;
   for (const std::size_t at : {std::size_t{0}, tasks.size() / 2, tasks.size() - 1}) {
     const SweepTask& task = plan.tasks()[tasks[at]];
     const fs::path order = scratch.path() / std::to_string(some.size());
-    std::ofstream(order, std::ios::binary) << orderText(orderOf(plan, task));
+    writeFile(order, orderText(orderOf(plan, task)));
     some.push_back({engineProgram(plan.precision(task)),
                     {"--order", order.string(), "--record", order.string() + ".record"},
-                    timed_for_s,
-                    plan.manifest().settings.limits.memory_mib.value_or(0)});
+                    longest_pilot_s,
+                    plan.manifest().settings.limits.memory_mib.value_or(0),
+                    scratch.path()});
+    if (plan.keepsResults())
+      some.back().arguments.insert(some.back().arguments.end(), {"--part", order.string() + ".part"});
   }
-  Timing timing;
-  WorkerPool(1, interrupt).run(some, timing);
-  return meanOf(timing.times_s());
+  std::vector<double> times_s;
+  for (const PilotRun& pilot : runPilots(some, pilot_of, scratch.path(), interrupt)) {
+    if (pilot.forecast) times_s.push_back(pilot.forecast->run_s);
+    if (pilot.status.end == RunEnd::timeout && pilot.progress.step > 0)
+      times_s.push_back(pilot_of * pilot.wall_s * static_cast<double>(pilot.progress.steps) /
+                        static_cast<double>(pilot.progress.step));
+  }
+  return meanOf(times_s);
 }
 
 double bytesOf(const SweepPlan& plan, const std::vector<std::size_t>& tasks) {
@@ -134,7 +96,7 @@ SweepEstimate estimateSweep(const SweepPlan& plan, const SweepState& state,
   SweepEstimate estimate;
   if (tasks.empty()) return estimate;
   estimate.bytes = bytesOf(plan, tasks);
-  if (plan.manifest().settings.keep == SweepKeep::results) estimate.bytes += resultBytes(plan, tasks);
+  if (plan.keepsResults()) estimate.bytes += resultBytes(plan, tasks);
   std::vector<double> known_s;
   for (std::size_t i = 0; i < plan.tasks().size(); ++i)
     if (state.task(i).finished && state.task(i).wall_s > 0) known_s.push_back(state.task(i).wall_s);

@@ -1,10 +1,13 @@
 #include "sweep/sweep_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
 
 #include "base/error.h"
+#include "scenario/range_check.h"
 #include "scenario/read_nested.h"
 #include "scenario/scenario.h"
 #include "text/scalars.h"
@@ -12,15 +15,7 @@
 
 namespace fissure {
 
-namespace {
-
-/// YAML, kept as it was written, to be put into a scenario.
-struct YamlTexts {
-  std::vector<std::string> texts;
-};
-
-/// In the order of SweepDesign.
-const std::vector<CatalogEntry>& designs() {
+const std::vector<CatalogEntry>& sweepDesigns() {
   static const std::vector<CatalogEntry> table = {
       {"grid", "every combination of the values of all axes"},
       {"random", "each axis by itself, evenly distributed"},
@@ -30,8 +25,7 @@ const std::vector<CatalogEntry>& designs() {
   return table;
 }
 
-/// In the order of MatchBy.
-const std::vector<CatalogEntry>& matches() {
+const std::vector<CatalogEntry>& curveMatches() {
   static const std::vector<CatalogEntry> table = {
       {"time", "at equal times"},
       {"depth", "where the tool has gone as deep since it touched"},
@@ -39,53 +33,16 @@ const std::vector<CatalogEntry>& matches() {
   return table;
 }
 
-const std::vector<CatalogEntry>& keeps() {
+const std::vector<CatalogEntry>& sweepKeeps() {
   static const std::vector<CatalogEntry> table = {
       {"metrics", "the row of the table, and curves"},
       {"results", "besides, the result file of each simulation"},
+      {"series", "besides, the result file of each simulation, without pictures"},
   };
   return table;
 }
 
-}  // namespace
-
-void readValue(const YamlNode& node, const std::string& path, YamlTexts& value) {
-  requireList(node, path);
-  if (node.children.empty()) failAt(node.origin, path + " is empty, expected at least one value");
-  for (const YamlNode& item : node.children) value.texts.push_back(flowText(item));
-}
-
-// Not in a namespace of their own: the reader finds them by the types they describe.
-template <class Io>
-void describe(Io& io, AxisRange& range) {
-  io.required("from", range.from);
-  io.required("to", range.to);
-  io.required("count", range.count);
-}
-
-template <class Io>
-void readValues(Io& io, std::optional<std::vector<std::string>>& values) {
-  std::optional<YamlTexts> read;
-  io.field("values", read);
-  if (read) values = std::move(read->texts);
-}
-
-template <class Io>
-void describe(Io& io, SweepAxis& axis) {
-  io.required("path", axis.path);
-  readValues(io, axis.values);
-  io.field("linear", axis.linear);
-  io.field("logarithmic", axis.logarithmic);
-}
-
-template <class Io>
-void describe(Io& io, SweepCondition& condition) {
-  io.required("path", condition.path);
-  io.field("min", condition.min);
-  io.field("max", condition.max);
-  readValues(io, condition.values);
-}
-
+// Not in a namespace of their own: the reader finds them by the types they read.
 void readValue(const YamlNode& node, const std::string& path, SweepAxis& axis) {
   MapReader io(node, path);
   describe(io, axis);
@@ -95,58 +52,20 @@ void readValue(const YamlNode& node, const std::string& path, SweepAxis& axis) {
 
 void readValue(const YamlNode& node, const std::string& path, AxisGroup& group) {
   if (node.kind == YamlNode::Kind::map && node.find("zip")) {
-    struct Zip {
-      std::vector<SweepAxis> axes;
-    } zip;
+    group.is_zip = true;
     MapReader io(node, path);
-    io.required("zip", zip.axes);
+    describe(io, group);
     io.finish();
-    group.axes = std::move(zip.axes);
     return;
   }
   readValue(node, path, group.axes.emplace_back());
 }
 
-template <class Io>
-void describe(Io& io, SweepCurves& curves) {
-  io.required("quantities", curves.quantities);
-  io.required("every_s", curves.every_s);
-  io.field("until_s", curves.until_s);
-}
-
-template <class Io>
-void describe(Io& io, SweepFit& fit) {
-  io.required("curve", fit.curve);
-  io.field("columns", fit.columns);
-  io.choice("match", fit.match, matches());
-  io.field("law", fit.law);
-  io.field("free_offset", fit.free_offset);
-}
-
-template <class Io>
-void describe(Io& io, SweepLimits& limits) {
-  io.field("time_s", limits.time_s);
-  io.field("memory_mb", limits.memory_mib);
-}
-
-template <class Io>
-void describe(Io& io, SweepSettings& sweep) {
-  io.required("format", sweep.format);
-  io.required("name", sweep.name);
-  io.text("description", sweep.description);
-  io.required("base", sweep.base);
-  io.field("pipelines", sweep.pipelines);
-  io.required("axes", sweep.axes);
-  io.field("exclude", sweep.exclude);
-  io.choice("design", sweep.design, designs());
-  const bool sampled = sweep.design != SweepDesign::grid;
-  io.fieldIf(sampled, "design random, latin_hypercube or sobol", "count", sweep.count);
-  io.fieldIf(sampled, "design random, latin_hypercube or sobol", "seed", sweep.seed);
-  io.field("repeats", sweep.repeats);
-  io.choice("keep", sweep.keep, keeps());
-  io.field("curves", sweep.curves);
-  io.field("fit", sweep.fit);
-  io.field("limits", sweep.limits);
+/// An axis by itself or `zip`, whichever the file has.
+void describe(KeyCollector& io, AxisGroup& group) {
+  group.is_zip = true;
+  describe<KeyCollector>(io, group);
+  describe(io, group.axes.emplace_back());
 }
 
 namespace {
@@ -156,27 +75,15 @@ class SweepChecker {
   SweepChecker(const YamlNode& root, const SweepSettings& sweep) : root_(root), sweep_(sweep) {}
 
   void check() {
-    if (sweep_.format != 1)
-      failAt(root_.find("format")->origin, "format is " + std::to_string(sweep_.format) + ", expected 1");
-    if (!isName(sweep_.name))
-      failAt(root_.find("name")->origin,
-             "name is \"" + sweep_.name + "\", expected 1 to 64 letters, digits, '_' and '-'");
-    const YamlNode& groups = *root_.find("axes");
-    if (sweep_.axes.empty()) failAt(groups.origin, "axes is empty, expected at least one");
-    for (std::size_t g = 0; g < sweep_.axes.size(); ++g) checkGroup(groups.children[g], sweep_.axes[g]);
+    checkGroups(root_.find("axes")->children, sweep_.axes);
     for (std::size_t i = 0; i < sweep_.exclude.size(); ++i)
       for (std::size_t c = 0; c < sweep_.exclude[i].size(); ++c)
         checkCondition(root_.find("exclude")->children[i].children[c], sweep_.exclude[i][c]);
     checkRest();
-    if (sweep_.design == SweepDesign::grid) return;
-    for (const char* key : {"count", "seed"})
-      if (!root_.find(key))
-        failAt(root_.find("design")->origin, std::string("needs ") + key + ", expected it");
-    if (*sweep_.count < 1)
-      failAt(root_.find("count")->origin,
-             "count is " + std::to_string(*sweep_.count) + ", expected at least 1");
-    if (*sweep_.seed < 0)
-      failAt(root_.find("seed")->origin, "seed is " + std::to_string(*sweep_.seed) + ", expected at least 0");
+  }
+
+  void checkGroups(const std::vector<YamlNode>& nodes, const std::vector<AxisGroup>& axes) {
+    for (std::size_t g = 0; g < axes.size(); ++g) checkGroup(nodes[g], axes[g]);
   }
 
  private:
@@ -186,26 +93,17 @@ class SweepChecker {
   }
 
   void checkRest() const {
-    const auto expect = [&](bool holds, const char* section, const char* key, double value,
-                            const char* expected) {
-      if (holds) return;
-      const YamlNode* node = root_.find(section);
-      if (*key) node = node->find(key);
-      failAt(node->origin, std::string(section) + (*key ? "." : "") + key + " is " + formatReal(value) +
-                               ", expected " + expected);
-    };
-    expect(sweep_.repeats >= 1, "repeats", "", sweep_.repeats, "at least 1");
-    if (const auto& time_s = sweep_.limits.time_s)
-      expect(*time_s > 0, "limits", "time_s", *time_s, "a number above 0");
-    if (const auto& memory_mib = sweep_.limits.memory_mib)
-      expect(*memory_mib > 0, "limits", "memory_mb", *memory_mib, "a number above 0");
     if (sweep_.fit) checkFit();
     if (!sweep_.curves) return;
     const double every_s = sweep_.curves->every_s;
-    expect(every_s > 0, "curves", "every_s", every_s, "a number above 0");
     const double until_s = sweep_.curves->until_s.value_or(every_s);
-    expect(until_s >= every_s, "curves", "until_s", until_s, "at least every_s");
-    expect(until_s / every_s < 1e6, "curves", "until_s", until_s, "fewer than a million times");
+    const auto expect = [&](bool holds, const char* expected) {
+      if (!holds)
+        failAt(root_.find("curves")->find("until_s")->origin,
+               fmt::format("curves.until_s is {}, expected {}", formatReal(until_s), expected));
+    };
+    expect(until_s >= every_s, "at least every_s");
+    expect(until_s / every_s < 1e6, "fewer than a million times");
   }
 
   /// What is compared must be kept.
@@ -218,36 +116,34 @@ class SweepChecker {
                                      needed) != sweep_.curves->quantities.end();
       if (!kept)
         failAt(root_.find("fit")->origin,
-               std::string("fit compares the curve ") + needed + ", expected it among curves.quantities");
+               fmt::format("fit compares the curve {}, expected it among curves.quantities", needed));
     }
   }
 
   void checkGroup(const YamlNode& node, const AxisGroup& group) {
-    if (group.axes.empty()) failAt(node.origin, "zip is empty, expected axes");
     for (const SweepAxis& axis : group.axes) checkAxis(node.origin, axis);
     for (const SweepAxis& axis : group.axes) {
       if (length(axis) != length(group.axes.front()))
-        failAt(node.origin, axis.path + " has " + std::to_string(length(axis)) + " values and " +
-                                group.axes.front().path + " " + std::to_string(length(group.axes.front())) +
-                                ", expected as many of zipped axes");
+        failAt(node.origin,
+               fmt::format("{} has {} values and {} {}, expected as many of zipped axes", axis.path,
+                           length(axis), group.axes.front().path, length(group.axes.front())));
     }
     checkEqual(node.origin, group);
   }
 
   void checkAxis(const Origin& origin, const SweepAxis& axis) {
     if (!paths_.insert(axis.path).second)
-      failAt(origin, "a second axis on " + axis.path + ", expected one axis a path");
+      failAt(origin, fmt::format("a second axis on {}, expected one axis a path", axis.path));
     if (axis.values.has_value() + axis.linear.has_value() + axis.logarithmic.has_value() != 1)
-      failAt(origin, "axis " + axis.path + " has " +
-                         (axis.values || axis.linear || axis.logarithmic ? "several of" : "none of") +
-                         " values, linear and logarithmic, expected one");
+      failAt(origin, fmt::format("axis {} has {} of values, linear and logarithmic, expected one", axis.path,
+                                 axis.values || axis.linear || axis.logarithmic ? "several" : "none"));
     if (axis.linear) checkRange(origin, axis.path + " linear", *axis.linear);
     if (!axis.logarithmic) return;
     checkRange(origin, axis.path + " logarithmic", *axis.logarithmic);
     if (!(axis.logarithmic->from > 0 && axis.logarithmic->to > 0))
-      failAt(origin, "axis " + axis.path + " logarithmic: from and to are " +
-                         formatReal(axis.logarithmic->from) + " and " + formatReal(axis.logarithmic->to) +
-                         ", expected numbers above 0");
+      failAt(origin,
+             fmt::format("axis {} logarithmic: from and to are {} and {}, expected numbers above 0",
+                         axis.path, formatReal(axis.logarithmic->from), formatReal(axis.logarithmic->to)));
   }
 
   /// Points that are equal would fill a table twice, with one simulation.
@@ -266,24 +162,24 @@ class SweepChecker {
           joined([&](const SweepAxis& axis) { return plainValue((*axis.values)[i]); }), written);
       if (!is_new)
         failAt(inFile(origin.file, group.axes.front().line),
-               "axis " + joined([](const SweepAxis& axis) { return axis.path; }) + ": " + written + " is " +
-                   same->second + " again, expected each value once");
+               fmt::format("axis {}: {} is {} again, expected each value once",
+                           joined([](const SweepAxis& axis) { return axis.path; }), written, same->second));
     }
   }
 
   static void checkRange(const Origin& origin, const std::string& what, const AxisRange& range) {
-    if (range.count < 2)
-      failAt(origin, "axis " + what + ": count is " + std::to_string(range.count) + ", expected at least 2");
     if (range.from == range.to)
-      failAt(origin, "axis " + what + ": from and to are " + formatReal(range.from) + ", expected a range");
+      failAt(origin,
+             fmt::format("axis {}: from and to are {}, expected a range", what, formatReal(range.from)));
   }
 
   void checkCondition(const YamlNode& node, const SweepCondition& condition) {
     if (!paths_.contains(condition.path))
-      failAt(node.origin, "exclude: " + condition.path + " is no axis, expected the path of one");
+      failAt(node.origin, fmt::format("exclude: {} is no axis, expected the path of one", condition.path));
     if (condition.values) checkValues(node, condition);
     if (!condition.min && !condition.max && !condition.values)
-      failAt(node.origin, "exclude: " + condition.path + " without a condition, expected min, max or values");
+      failAt(node.origin,
+             fmt::format("exclude: {} without a condition, expected min, max or values", condition.path));
   }
 
   /// A value that the axis never has would exclude nothing, and nobody would notice.
@@ -292,12 +188,12 @@ class SweepChecker {
       for (const SweepAxis& axis : group.axes) {
         if (axis.path != condition.path) continue;
         if (!axis.values)
-          failAt(node.origin, "exclude: axis " + axis.path + " is a range, expected min and max");
+          failAt(node.origin, fmt::format("exclude: axis {} is a range, expected min and max", axis.path));
         for (const std::string& value : *condition.values)
           if (std::none_of(axis.values->begin(), axis.values->end(),
                            [&](const std::string& other) { return plainValue(value) == plainValue(other); }))
             failAt(node.origin,
-                   "exclude: " + value + " is no value of axis " + axis.path + ", expected one of them");
+                   fmt::format("exclude: {} is no value of axis {}, expected one of them", value, axis.path));
       }
     }
   }
@@ -309,8 +205,14 @@ class SweepChecker {
 
 }  // namespace
 
+void checkAxisGroups(const std::vector<YamlNode>& nodes, const std::vector<AxisGroup>& axes) {
+  const YamlNode nothing;
+  const SweepSettings none;
+  SweepChecker(nothing, none).checkGroups(nodes, axes);
+}
+
 std::string designName(SweepDesign design) {
-  return std::string(designs()[static_cast<std::size_t>(design)].name);
+  return std::string(sweepDesigns()[static_cast<std::size_t>(design)].name);
 }
 
 std::string plainValue(const std::string& yaml) {
@@ -320,16 +222,35 @@ std::string plainValue(const std::string& yaml) {
   return number ? formatReal(*number) : yaml;
 }
 
+bool isSweepFile(const std::filesystem::path& file) {
+  const YamlNode root = parseYaml(readYamlFile(file), inFile(file, 1));
+  return root.kind == YamlNode::Kind::map && root.find("axes") != nullptr;
+}
+
 SweepSettings loadSweep(const std::filesystem::path& file) {
   SweepSettings sweep;
   sweep.source = readYamlFile(file);
   const YamlNode root = parseYaml(sweep.source, inFile(file, 1));
   if (root.kind == YamlNode::Kind::nothing) failAt(inFile(file, 1), "empty, expected a sweep");
+  for (const char* key : {"bodies", "tools", "time", "force"})
+    if (const YamlNode* of_scenario = root.find(key); of_scenario && !root.find("axes"))
+      failAt(of_scenario->origin,
+             fmt::format("a scenario (it has {} and no axes), expected a sweep; type: fissure run {}", key,
+                         file.string()));
+  if (const YamlNode* of_study = root.find("reference"))
+    failAt(of_study->origin,
+           fmt::format("a study (it has a reference), expected a sweep; type: fissure study tradeoff {}",
+                       file.string()));
   readValue(root, "", sweep);
+  requireRanges(root, sweep);
   SweepChecker(root, sweep).check();
   const std::filesystem::path parent = file.parent_path();
   sweep.directory = parent.empty() ? std::filesystem::path(".") : parent;
   return sweep;
+}
+
+KeyNode sweepKeys() {
+  return keyTree<SweepSettings>("sweep");
 }
 
 }  // namespace fissure

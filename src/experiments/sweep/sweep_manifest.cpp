@@ -1,5 +1,7 @@
 #include "sweep/sweep_manifest.h"
 
+#include <fmt/core.h>
+
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
@@ -147,7 +149,7 @@ SweepManifest readManifest(const std::filesystem::path& folder) {
     throw;
   } catch (const std::exception& error) {  // of the parser: syntax, types, what is missing
     throw DamagedManifest(inFile(file),
-                          std::string("damaged (") + error.what() + "), expected the plan of a sweep");
+                          fmt::format("damaged ({}), expected the plan of a sweep", error.what()));
   }
 }
 

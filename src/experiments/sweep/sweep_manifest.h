@@ -13,21 +13,23 @@
 
 namespace fissure {
 
-/// All that fixes what a sweep computes, in one file: manifest.json of its folder.
+/// Everything that determines the results of a sweep, stored as manifest.json in its folder.
 struct SweepManifest {
-  SweepSettings settings;                     ///< `axes` and `exclude` are in `points`, and not kept
-  std::string scenario;                       ///< LoadedScenario::composed of the base
-  std::string directory;                      ///< where its file names start, from the sweep's folder
-  std::map<std::string, std::string> inputs;  ///< meshes and logs, named from `directory`, and their hashes
-  std::set<std::string> axis_inputs;          ///< of the inputs: those that values of axes name, not the base
-  std::map<std::string, std::string> engines;  ///< hash of the worker program, by its precision
-  std::vector<std::string> pipelines;          ///< names of the entries that are run
-  std::string measured;                        ///< the file that the settings' fit names, verbatim
-  std::vector<CurveQuantity> curves;           ///< what the settings' curves are
+  SweepSettings settings;  ///< without `axes` and `exclude`, which are contained in `points`
+  std::string scenario;    ///< the base scenario: LoadedScenario::composed
+  std::string directory;   ///< folder of its file names, relative to the sweep's folder
+  /// Meshes and logs, relative to `directory`, with their hashes.
+  std::map<std::string, std::string> inputs;
+  /// Those of the inputs that are named by values of axes, not by the base.
+  std::set<std::string> axis_inputs;
+  std::map<std::string, std::string> engines;  ///< [precision] hash of the worker program
+  std::vector<std::string> pipelines;          ///< names of the entries to run
+  std::string measured;                        ///< text of the measured file of `settings.fit`, verbatim
+  std::vector<CurveQuantity> curves;           ///< the curves that `settings.curves` names
   SweepPoints points;
 };
 
-/// A plan that cannot be read, of whatever sweep.
+/// Thrown for a manifest that cannot be read.
 class DamagedManifest : public InputError {
  public:
   using InputError::InputError;
@@ -39,7 +41,8 @@ std::filesystem::path manifestFile(const std::filesystem::path& folder);
 /// The manifest as text.
 std::string manifestText(const SweepManifest& manifest);
 
-/// Throws InputError: no such file, of a newer version; DamagedManifest.
+/// Reads the manifest of a folder. Throws InputError when there is none or it is of a newer version,
+/// DamagedManifest when it cannot be read.
 SweepManifest readManifest(const std::filesystem::path& folder);
 
 }  // namespace fissure

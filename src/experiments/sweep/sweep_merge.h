@@ -14,16 +14,16 @@ namespace fissure {
 std::filesystem::path tableFile(const std::filesystem::path& folder);
 std::filesystem::path csvFile(const std::filesystem::path& folder);
 
-/// How many runs of a sweep ended in which way.
+/// The numbers of a sweep's runs by their ends.
 std::map<RunEnd, std::size_t> countRuns(const SweepPlan& plan, const SweepState& state);
 
-/// Writes the sweep's table, all rows, and its CSV; rows without numbers say why in status and status_detail.
-/// The same records give the same data whatever journals they are in. Each file takes its place whole or not
-/// at all. Throws RunError.
+/// Writes the sweep's table with all rows, and its CSV. Rows without numbers have the reason in status and
+/// status_detail. The same records give the same data, whatever journals they are in. Each file is replaced
+/// completely or not at all. Throws RunError when writing fails.
 void writeSweepTables(const SweepPlan& plan, const SweepState& state, const std::filesystem::path& folder,
                       const Provenance& provenance);
 
-/// Whether the sweep has a measured curve, and its table in `folder` no run that could be held against that.
+/// Whether the sweep has a measured curve, but its table in `folder` no run that could be compared with it.
 bool comparesNothing(const SweepPlan& plan, const std::filesystem::path& folder);
 
 }  // namespace fissure

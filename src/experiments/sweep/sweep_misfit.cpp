@@ -1,5 +1,7 @@
 #include "sweep/sweep_misfit.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -13,9 +15,10 @@ MeasuredCurve onlyCurve(const SweepFit& fit, const std::filesystem::path& file) 
   std::vector<MeasuredCurve> curves =
       readCurves(file, fit.columns ? parseCurveColumns(*fit.columns) : std::vector<CurveColumn>());
   if (curves.size() > 1)
-    throw InputError(inFile(file), "has " + std::to_string(curves.size()) + " curves (" + curves[0].name +
-                                       ", " + curves[1].name + (curves.size() > 2 ? ", ..." : "") +
-                                       "), expected one to hold the runs against");
+    throw InputError(
+        inFile(file),
+        fmt::format("has {} curves ({}, {}{}), expected one to hold the runs against", curves.size(),
+                    curves[0].name, curves[1].name, curves.size() > 2 ? ", ..." : ""));
   return std::move(curves.front());
 }
 
@@ -29,8 +32,8 @@ SweepMisfit::SweepMisfit(const SweepFit& fit, const std::vector<std::string>& la
   if (fit.law) law_ = static_cast<std::size_t>(std::find(laws.begin(), laws.end(), *fit.law) - laws.begin());
   const bool by_time = match_ == MatchBy::time;
   if ((by_time ? curve_.time_s : curve_.depth_m).empty())
-    throw InputError(inFile(file), std::string("has no column of ") + (by_time ? "times" : "depths") +
-                                       ", expected one to match runs by");
+    throw InputError(inFile(file), fmt::format("has no column of {}, expected one to match runs by",
+                                               by_time ? "times" : "depths"));
 }
 
 Misfit SweepMisfit::of(const std::vector<double>& time_s, std::span<const double> force_N,

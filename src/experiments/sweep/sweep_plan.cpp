@@ -27,6 +27,16 @@ std::size_t itemAt(const std::vector<Item>& items, const std::string& part) {
 
 }  // namespace
 
+YamlNode physicsOf(const SweepManifest& manifest, std::size_t entry) {
+  YamlNode root = parseYaml(manifest.scenario, inFile(manifest.settings.name, 1));
+  std::erase_if(root.children,
+                [](const YamlNode& child) { return child.key == "expect" || child.key == "description"; });
+  if (YamlNode* entries = root.find("pipelines"))
+    std::erase_if(entries->children,
+                  [&](const YamlNode& item) { return itemName(item) != manifest.pipelines[entry]; });
+  return root;
+}
+
 SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder)
     : manifest_(std::move(manifest)) {
   base_ = parseStoredScenario(manifest_.scenario);
@@ -49,7 +59,10 @@ void SweepPlan::sortAxes() {
   bool laws_move_nothing = std::none_of(
       scenario.tools.begin(), scenario.tools.end(),
       [](const ToolSettings& tool) { return tool.coupling && !tool.coupling->isPushedByContacts(); });
+  // Laws that share a simulation see it by its rows: each step must have one.
+  if (stepsPerRow(scenario.record, scenario.measure) > 1) laws_move_nothing = false;
   for (const std::string& path : paths) {
+    if (path == "record.every" || path == "measure.every") laws_move_nothing = false;
     const std::vector<std::string> parts = splitPath(path);
     Axis& axis = axes_.emplace_back();
     if (parts[0] == "pipelines" && parts.size() > 2) {
@@ -111,20 +124,16 @@ void SweepPlan::makeTasks() {
 /// What all tasks of an entry depend on: the scenario without what moves nothing and without other entries,
 /// the files it names, the worker's way of keeping things.
 std::string SweepPlan::commonText(std::size_t entry) const {
-  YamlNode root = parseYaml(manifest_.scenario, inFile(manifest_.settings.name, 1));
-  std::erase_if(root.children,
-                [](const YamlNode& child) { return child.key == "expect" || child.key == "description"; });
-  if (YamlNode* entries = root.find("pipelines"))
-    std::erase_if(entries->children,
-                  [&](const YamlNode& item) { return itemName(item) != manifest_.pipelines[entry]; });
-  std::string text = "fissure task 2\n" + flowText(root) + "\n" + manifest_.pipelines[entry] + "\n";
+  std::string text =
+      "fissure task 2\n" + flowText(physicsOf(manifest_, entry)) + "\n" + manifest_.pipelines[entry] + "\n";
   for (const auto& [file, hash] : manifest_.inputs)
     if (!manifest_.axis_inputs.contains(file)) text.append(file).append("=").append(hash).append("\n");
   if (const auto& curves = manifest_.settings.curves) {
     text += formatReal(curves->every_s) + " " + formatReal(curves->until_s.value_or(0));
     for (const std::string& quantity : curves->quantities) text += " " + quantity;
   }
-  return text + (manifest_.settings.keep == SweepKeep::results ? "\nresults\n" : "\nmetrics\n");
+  return text + "\n" + std::string(sweepKeeps()[static_cast<std::size_t>(manifest_.settings.keep)].name) +
+         "\n";
 }
 
 /// The values of a point on law axes or on the others that an entry reads, a line each; with the files that

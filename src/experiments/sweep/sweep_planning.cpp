@@ -1,5 +1,7 @@
 #include "sweep/sweep_planning.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <iomanip>
 #include <set>
@@ -170,8 +172,8 @@ class Planner {
     std::vector<std::string> names;
     for (const ForceSettings& law : laws) names.push_back(law.name);
     if (fit->law && std::find(names.begin(), names.end(), *fit->law) == names.end())
-      throw InputError(inFile(file_),
-                       "fit.law: no force law \"" + *fit->law + "\"" + didYouMean(*fit->law, names));
+      throw InputError(inFile(file_), fmt::format("fit.law: no force law \"{}\"{}", *fit->law,
+                                                  didYouMean(*fit->law, names)));
     SweepMisfit(*fit, names, curve);
   }
 
@@ -200,7 +202,7 @@ class Planner {
     std::string values;
     for (const Override& override : overrides)
       values += (values.empty() ? "" : ", ") + override.path + "=" + override.value;
-    throw InputError(inFile(file_), "with " + values + ": " + error.what());
+    throw InputError(inFile(file_), fmt::format("with {}: {}", values, error.what()));
   }
 
   /// A place of the scenario in one way of writing: items of lists by their number.
@@ -241,7 +243,7 @@ class Planner {
           const std::size_t common = std::min(place.size(), of_other.size());
           if (std::equal(place.begin(), place.begin() + static_cast<std::ptrdiff_t>(common),
                          of_other.begin()))
-            refuse("is the place of axis " + other->path + " or within it, expected places apart");
+            refuse(fmt::format("is the place of axis {} or within it, expected places apart", other->path));
         }
         seen.emplace_back(&axis, place);
       }
@@ -257,7 +259,7 @@ class Planner {
     const std::string& name = all_entries_[static_cast<std::size_t>(*index)].name;
     const std::vector<std::string>& runs = manifest_.pipelines;
     if (std::find(runs.begin(), runs.end(), name) == runs.end())
-      refuse("the sweep does not run " + name + ", expected a setting of a pipeline that it runs");
+      refuse(fmt::format("the sweep does not run {}, expected a setting of a pipeline that it runs", name));
   }
 
   /// Its hash goes into the plan; returns its name there.
@@ -281,8 +283,10 @@ class Planner {
     std::vector<std::string> base_names;
     for (const ForceSettings& law : base_.scenario.force) base_names.push_back(law.name);
     if (names != base_names)
-      throw InputError("the force laws have other names or another order than in " + base_file_.string() +
-                       ", expected the same laws in every point");
+      throw InputError(
+          fmt::format("the force laws have other names or another order than in {}, expected the same laws "
+                      "in every point",
+                      base_file_.string()));
     const CheckedScenario checked =
         checkLoaded(base_file_, std::move(loaded), {manifest_.settings.pipelines, {}, true, false});
     const std::optional<SweepCurves>& curves = manifest_.settings.curves;
@@ -323,16 +327,21 @@ SweepManifest planSweep(const fs::path& file, const fs::path& folder, bool allow
   return Planner(file, folder, allow_many).take();
 }
 
-void putManifest(const SweepManifest& manifest, const fs::path& folder) {
-  std::error_code error;
-  if (fs::exists(manifestFile(folder), error)) {
+void refuseOtherFolder(const SweepManifest& manifest, const fs::path& folder) {
+  std::error_code ignored;
+  if (fs::exists(manifestFile(folder), ignored)) {
     const std::string name = nameIn(folder, manifest.settings.name);
     if (name != manifest.settings.name)
-      throw InputError(inFile(folder), "holds the sweep \"" + name + "\", expected another folder for \"" +
-                                           manifest.settings.name + "\"");
+      throw InputError(inFile(folder),
+                       fmt::format("holds the sweep \"{}\", expected another folder for \"{}\"", name,
+                                   manifest.settings.name));
   } else if (!isFree(folder)) {
     throw InputError(inFile(folder), "is no folder of a sweep, expected a new name or an empty folder");
   }
+}
+
+void putManifest(const SweepManifest& manifest, const fs::path& folder) {
+  refuseOtherFolder(manifest, folder);
   const JournalWriter place(journalFolder(folder));  // for its folder alone
   const fs::path made = manifestFile(place.work());
   try {
@@ -342,14 +351,16 @@ void putManifest(const SweepManifest& manifest, const fs::path& folder) {
   } catch (const RunError& failure) {
     throw RunError(manifestFile(folder).string() + ": " + failure.what());
   }
+  std::error_code error;
   fs::rename(made, manifestFile(folder), error);
   if (error) throw RunError(manifestFile(folder).string() + ": cannot be written: " + error.message());
 }
 
 void refuseOtherPlan(const SweepManifest& manifest, const fs::path& folder) {
   const auto refuse = [&](const std::string& what) {
-    throw InputError(inFile(folder),
-                     "was planned with another " + what + ", expected its sweep file to plan it again");
+    throw InputError(
+        inFile(folder),
+        fmt::format("was planned with another {}, expected its sweep file to plan it again", what));
   };
   requireText(wholePath(folder / manifest.directory));
   for (const auto& [precision, hash] : manifest.engines) {

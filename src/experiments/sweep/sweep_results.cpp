@@ -32,7 +32,7 @@ bool hasSize(const fs::path& file, long long bytes) {
 
 void forgetLostResults(SweepState& state, const fs::path& folder, const std::vector<std::size_t>& tasks,
                        ResultCheck check) {
-  if (state.plan().manifest().settings.keep != SweepKeep::results) return;
+  if (!state.plan().keepsResults()) return;
   for (const std::size_t index : tasks) {
     const SweepState::Task& task = state.task(index);
     if (!task.finished || task.file.empty()) continue;

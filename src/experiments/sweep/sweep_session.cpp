@@ -1,5 +1,6 @@
 #include "sweep/sweep_session.h"
 
+#include <fmt/core.h>
 #include <sys/stat.h>
 
 #include <algorithm>
@@ -36,7 +37,7 @@ Stamp stampOf(const fs::path& file) {
 
 std::string stampText(const fs::path& file) {
   const Stamp stamp = stampOf(file);
-  return std::to_string(stamp.bytes) + " " + std::to_string(stamp.time);
+  return fmt::format("{} {}", stamp.bytes, stamp.time);
 }
 
 std::string bytesOf(const fs::path& file) try {
@@ -51,7 +52,7 @@ TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task) {
   TaskOrder order{plan.manifest().settings.name,         plan.manifest().scenario,
                   fs::absolute(plan.directory()),        plan.overrides(task),
                   plan.manifest().pipelines[task.entry], {},
-                  plan.manifest().settings.curves};
+                  plan.manifest().settings.curves,       plan.manifest().settings.keep != SweepKeep::series};
   if (task.laws.size() > 1)
     for (const std::size_t point : task.laws) order.laws.push_back(plan.lawsAt(point));
   return order;
@@ -71,7 +72,7 @@ SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::v
       display_(display),
       journal_(journalFolder(folder)) {
   std::error_code error;
-  if (plan.manifest().settings.keep == SweepKeep::results) fs::create_directory(resultFolder(folder), error);
+  if (plan.keepsResults()) fs::create_directory(resultFolder(folder), error);
   if (error) throw RunError(folder.string() + ": cannot be written: " + error.message());
   for (const auto& [name, hash] : plan.manifest().inputs)
     inputs_.emplace_back(plan.directory() / name, stampText(plan.directory() / name));
@@ -100,8 +101,9 @@ WorkerTask SweepSession::workerTask(std::size_t task) const {
   WorkerTask worker{engineProgram(plan_.precision(of)),
                     {"--order", order.string(), "--record", work(task, ".record").string()},
                     limits.time_s.value_or(plan_.entry(of.entry).time_limit_s),
-                    limits.memory_mib.value_or(0)};
-  if (plan_.manifest().settings.keep == SweepKeep::results) {
+                    limits.memory_mib.value_or(0),
+                    journal_.work()};
+  if (plan_.keepsResults()) {
     worker.arguments.emplace_back("--part");
     worker.arguments.push_back(work(task, ".part").string());
   }
@@ -125,7 +127,7 @@ TaskRecord SweepSession::recordOf(std::size_t task, const RunStatus& status) con
     } catch (const RunError& error) {
       record.status = {RunEnd::failed, error.what()};
     }
-    if (record.finished() && plan_.manifest().settings.keep == SweepKeep::results) keepResult(task, record);
+    if (record.finished() && plan_.keepsResults()) keepResult(task, record);
   }
   record.recorded_s =
       std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
@@ -157,6 +159,7 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
   std::erase_if(loaded.scenario.pipelines,
                 [&](const PipelineSettings& other) { return other.name != entry; });
   loaded.scenario.expect.clear();
+  if (plan_.manifest().settings.keep == SweepKeep::series) loaded.scenario.record.frames.reset();
   loaded.scenario.record.force_inputs |= of.laws.size() > 1;
   loaded.resolved = toYaml(loaded.scenario);
   RunTimes times;
@@ -199,8 +202,8 @@ void SweepSession::finished(std::size_t task, const RunStatus& status) {
     ++(ok ? counts_.ok : counts_.failed);
     if (record.finished() || task < settings_.untried) ++counts_.advanced;
     if (!ok && first_failure_.empty())
-      first_failure_ = record.task + ": " + nameOf(record.status.end) +
-                       (record.status.detail.empty() ? "" : " (" + record.status.detail + ")");
+      first_failure_ = fmt::format("{}: {}{}", record.task, nameOf(record.status.end),
+                                   record.status.detail.empty() ? "" : " (" + record.status.detail + ")");
   }
   running_.erase(task);
   std::error_code ignored;

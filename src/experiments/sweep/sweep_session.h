@@ -17,42 +17,43 @@
 
 namespace fissure {
 
-/// What of a simulation's order stands in its task.
+/// The order for the worker of a task.
 TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task);
 
-/// Whether a result file is as it was when its record was written, by size and time alone.
+/// Whether size and modification time of a result file are as in its record.
 bool isUntouched(const std::filesystem::path& file, long long bytes, long long time);
 
-/// How a session of a sweep went.
+/// Counts of the tasks in a session of a sweep.
 struct SessionCounts {
   std::size_t ok = 0;
-  std::size_t failed = 0;       ///< anything but status ok
+  std::size_t failed = 0;       ///< any status but ok
   std::size_t interrupted = 0;  ///< stopped or not started
-  std::size_t advanced = 0;  ///< tried for the first time or finished: as long as there are such it goes on
+  /// Tried for the first time, or finished; while there are such tasks, another session makes sense.
+  std::size_t advanced = 0;
 };
 
-/// Simulates tasks of a sweep and records each as soon as it has ended, in a journal of its own. It may run
-/// while others run the same tasks: their records are equal.
+/// Simulates tasks of a sweep and records each as soon as it has ended, in a journal of its own. Other
+/// sessions may run the same tasks at the same time: their records are equal.
 class SweepSession : private PoolObserver {
  public:
   struct Settings {
     int slots = 1;
-    std::size_t untried = 0;  ///< so many of the tasks, the first ones, have no record yet
-    bool fail_fast = false;   ///< stop at the first that failed
+    std::size_t untried = 0;  ///< number of tasks, the first ones, without any record yet
+    bool fail_fast = false;   ///< stop after the first failure
     std::string command_line;
   };
-  /// `tasks`: of the plan, to be run in this order. What the arguments refer to must outlive the session.
+  /// `tasks`: indices of tasks of the plan, to be run in this order. All references must outlive the session.
   SweepSession(const SweepPlan& plan, const std::filesystem::path& folder, std::vector<std::size_t> tasks,
                Settings settings, ProgressDisplay& display);
   SweepSession(const SweepSession&) = delete;
   SweepSession& operator=(const SweepSession&) = delete;
 
-  /// Throws RunError when nothing can be recorded any more (a full disk), or an input file of the scenario
-  /// changes meanwhile; what was recorded stays.
+  /// Runs the tasks. Throws RunError when records cannot be written any more (a full disk), or an input file
+  /// of the scenario changes meanwhile; earlier records stay.
   void run(Interrupt& interrupt);
 
   const SessionCounts& counts() const { return counts_; }
-  /// The task that failed first, and why; empty while none has.
+  /// A text with the first task that failed and its reason; empty while none has.
   const std::string& firstFailure() const { return first_failure_; }
 
  private:
@@ -77,7 +78,8 @@ class SweepSession : private PoolObserver {
   Settings settings_;
   ProgressDisplay& display_;
   JournalWriter journal_;
-  std::vector<std::pair<std::filesystem::path, std::string>> inputs_;  ///< size and time of each
+  /// Path, and its size and time as text.
+  std::vector<std::pair<std::filesystem::path, std::string>> inputs_;
   struct Running {
     Clock::time_point start;
     Progress progress;

@@ -1,5 +1,7 @@
 #include "sweep/sweep_state.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <unordered_map>
 #include <utility>
@@ -50,10 +52,11 @@ void SweepState::take(std::size_t index, const TaskRecord& record, const Journal
   const std::string hash =
       record.finished() ? fnv1a64(nameOf(record.status.end) + "\n" + record.numbers) : "";
   if (task.finished && record.finished() && task.numbers_hash != hash)
-    throw RunError(journals_.files()[place.journal].string() + ": two runs of task " + record.task +
-                   " gave different numbers (the other is in " +
-                   journals_.files()[task.place->journal].string() +
-                   "), expected the same; remove the journal that is wrong, what it held is run again");
+    throw RunError(
+        fmt::format("{}: two runs of task {} gave different numbers (the other is in {}), expected the same; "
+                    "remove the journal that is wrong, what it held is run again",
+                    journals_.files()[place.journal].string(), record.task,
+                    journals_.files()[task.place->journal].string()));
   if (task.place && !record.finished() && (task.finished || record.recorded_s < task.recorded_s)) return;
   task.place = place;
   task.status = record.status;
@@ -74,8 +77,9 @@ void SweepState::compareRepeats() const {
     if (tasks[i].repeat == 0) known = tasks.size();
     if (!tasks_[i].finished) continue;
     if (known < tasks.size() && tasks_[i].numbers_hash != tasks_[known].numbers_hash)
-      throw RunError("two repeats of one run gave different numbers (tasks " + tasks[known].id + " and " +
-                     tasks[i].id + "), expected the same");
+      throw RunError(
+          fmt::format("two repeats of one run gave different numbers (tasks {} and {}), expected the same",
+                      tasks[known].id, tasks[i].id));
     known = i;
   }
 }
@@ -101,7 +105,8 @@ std::vector<double> SweepState::numbers(std::size_t index, const Head& head, std
                                         std::size_t count) const {
   std::vector<double> found =
       numbersIn(journals_.read(*tasks_[index].place, head.numbers_at + first, count * sizeof(double)));
-  if (found.size() != count) throw RunError("task " + plan_.tasks()[index].id + ": its record is cut");
+  if (found.size() != count)
+    throw RunError(fmt::format("task {}: its record is cut", plan_.tasks()[index].id));
   return found;
 }
 

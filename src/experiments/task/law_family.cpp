@@ -1,5 +1,7 @@
 #include "task/law_family.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -30,9 +32,9 @@ std::size_t channelOf(const ForceSettings& law, const std::vector<ForceSettings>
     return of.deformation == law.deformation && of.rate == law.rate;
   });
   if (found == scenario_laws.end())
-    throw InputError("force law " + law.name + ": no law of the scenario has deformation " +
-                     nameIn(catalog().deformations, law.deformation) + " and rate " +
-                     nameIn(catalog().rates, law.rate) + ", whose inputs it needs");
+    throw InputError(fmt::format(
+        "force law {}: no law of the scenario has deformation {} and rate {}, whose inputs it needs",
+        law.name, nameIn(catalog().deformations, law.deformation), nameIn(catalog().rates, law.rate)));
   return static_cast<std::size_t>(found - scenario_laws.begin());
 }
 

@@ -10,21 +10,21 @@
 
 namespace fissure {
 
-/// What a run's summary says about its force laws, for many sets of laws over one simulation. The force
-/// limits of devices and the roughness of the triangles that stay are not among it: they need more of each
-/// triangle.
+/// The summary values of force laws, for many sets of laws over one simulation. Without force limits of
+/// devices and roughness_same_triangles, which need more data of each triangle.
 class LawStatistics {
  public:
-  /// `rows`: sets of as many laws as the scenario has, in its order, with other coefficients.
+  /// `rows`: sets of laws, each with the scenario's laws in their order but other coefficients.
   LawStatistics(const std::vector<std::vector<ForceSettings>>& rows,
                 const std::vector<ForceSettings>& scenario_laws);
 
+  /// Takes the state of the next step.
   void add(const State& state);
 
   std::size_t rows() const { return laws_.size() / names_.size(); }
-  /// Of the last state: row x number of laws + law.
+  /// [row x number of laws + law] values in the last state.
   const std::vector<LawValue>& values() const { return family_.values(); }
-  /// Of one row, under the names ForceProbe gives them.
+  /// Appends the summary values of one row, with the names that the probe of forces uses.
   void summarize(std::size_t row, Summary& summary) const;
 
  private:
@@ -36,7 +36,7 @@ class LawStatistics {
 
   std::vector<std::string> names_;
   LawFamily family_;
-  std::vector<Law> laws_;  ///< row by row
+  std::vector<Law> laws_;  ///< [row x number of laws + law]
 };
 
 }  // namespace fissure

@@ -27,7 +27,7 @@ double RunRecorder::indentation(const RecordRow& row) {
   return touched_ ? (now_m - touched_at_m_).norm() : 0;
 }
 
-/// Of one step, row by row of laws: all curves one after the other.
+/// The values of all curves in one step: for each row of laws its curves one after the other.
 std::vector<double> RunRecorder::valuesOf(const RecordRow& row) {
   std::vector<double> values(rows_ * width_);
   std::size_t at = 0;
@@ -108,7 +108,7 @@ void RunRecorder::finish(const RunStatus& status, const Summary& summary) {
   for (const auto& [name, value, of_law] : summary) {
     if (name.starts_with("provenance/")) continue;
     if (const auto* text = std::get_if<std::string>(&value)) {
-      numbers_.texts[name] = *text;
+      if (!settings_.laws || !of_law) numbers_.texts[name] = *text;
       continue;
     }
     const auto* count = std::get_if<long long>(&value);

@@ -9,17 +9,17 @@
 
 namespace fissure {
 
-/// Keeps of a run what its sweep asks for: the summary's numbers, and curves, linear between two steps, NaN
-/// after the run's end.
+/// Keeps the output of a run that its sweep needs: the numbers of the summary, and curves, which are linear
+/// between steps and NaN after the end of the run.
 class RunRecorder : public RecordSink {
  public:
   struct Settings {
     std::vector<CurveQuantity> curves = {};
-    std::vector<double> times_s = {};  ///< of the curves
-    LawStatistics* laws = nullptr;     ///< several sets of laws; the scenario asks for force inputs then
-    RecordSink* next = nullptr;        ///< gets everything too
+    std::vector<double> times_s = {};  ///< times of the curves
+    LawStatistics* laws = nullptr;     ///< several sets of laws; the scenario must then ask for force inputs
+    RecordSink* next = nullptr;        ///< receives all output too; may be null
   };
-  /// What the layout and the settings refer to must outlive it.
+  /// The layout and all that the settings point to must outlive this object.
   RunRecorder(const RecordLayout& layout, Settings settings);
 
   void forceInputs(const State& state) override;
@@ -28,7 +28,7 @@ class RunRecorder : public RecordSink {
   void frame(double time_s, const Image& image) override;
   void finish(const RunStatus& status, const Summary& summary) override;
 
-  /// After finish(): without task and file.
+  /// To be called after finish(): the record, without task and file.
   const TaskRecord& record() const { return record_; }
 
  private:
@@ -38,10 +38,10 @@ class RunRecorder : public RecordSink {
 
   const RecordLayout& layout_;
   Settings settings_;
-  std::size_t laws_ = 0;  ///< of the scenario
+  std::size_t laws_ = 0;  ///< number of the scenario's laws
   std::size_t rows_ = 1;
-  std::size_t width_ = 0;       ///< values of one row of laws at one time
-  std::vector<double> before_;  ///< valuesOf() the step before
+  std::size_t width_ = 0;       ///< number of values of one row of laws at one time
+  std::vector<double> before_;  ///< valuesOf() of the step before
   double before_s_ = 0;
   std::size_t next_time_ = 0;
   bool touched_ = false;

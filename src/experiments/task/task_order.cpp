@@ -41,6 +41,7 @@ std::string orderText(const TaskOrder& order) {
                {"directory", order.directory.string()},
                {"pipeline", order.pipeline},
                {"set", json::array()},
+               {"frames", order.frames},
                {"laws", order.laws.empty() ? 0 : order.laws.front().size()},
                {"coefficients", lawsJson(order.laws)}};
   for (const Override& override : order.overrides) text["set"].push_back({override.path, override.value});
@@ -60,7 +61,8 @@ TaskOrder parseOrder(const std::string& text) {
                     {},
                     from.at("pipeline"),
                     readLaws(from.at("coefficients"), from.at("laws")),
-                    {}};
+                    {},
+                    from.at("frames")};
     for (const json& pair : from.at("set")) order.overrides.push_back({pair.at(0), pair.at(1)});
     if (!from.contains("curves")) return order;
     const json& curves = from.at("curves");

@@ -1,8 +1,8 @@
 #include "task/task_record.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
@@ -23,9 +23,7 @@ constexpr std::size_t length_digits = 16;
 std::string withHead(const json& head, const std::string& behind) {
   std::string cbor;
   json::to_cbor(head, cbor);
-  std::array<char, length_digits + 1> length{};
-  std::snprintf(length.data(), length.size(), "%016zx", cbor.size());
-  return length.data() + cbor + behind;
+  return fmt::format("{:0{}x}", cbor.size(), length_digits) + cbor + behind;
 }
 
 std::string bytesOf(const std::vector<double>& numbers) {

@@ -6,8 +6,8 @@
 
 namespace fissure {
 
-/// "1 vertex", "2 vertices": a number and what it counts, one and several of it. `many` empty: `one` with an
-/// s.
+/// A number followed by the noun it counts: "1 vertex", "2 vertices". `one` is the singular, `many` the
+/// plural; an empty `many` stands for `one` with an s.
 std::string counted(std::size_t count, std::string_view one, std::string_view many = {});
 
 }  // namespace fissure

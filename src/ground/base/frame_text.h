@@ -6,19 +6,20 @@
 
 namespace fissure {
 
-/// What a picture says of its step; no value where it is not measured.
+/// The measured values of one step that are printed into its picture; no value: not measured.
 struct FrameMeasures {
-  std::optional<double> depth_m;            ///< penetration depth, metres
-  std::optional<double> inversion_aware_m;  ///< the same with inverted tissue
-  std::optional<double> ground_m;           ///< of tissue below the ground
-  std::optional<double> certified;          ///< 0: the step's end is not proved free of overlap
-  std::optional<double> pressure_Pa;        ///< the largest on an elastic body
+  std::optional<double> depth_m;  ///< penetration depth, metres
+  /// Inversion-aware penetration depth (measure/METHOD.md 2), metres.
+  std::optional<double> inversion_aware_m;
+  std::optional<double> ground_m;     ///< depth of the lowest tissue vertex below the ground, metres
+  std::optional<double> certified;    ///< 0: the step's end is not proved free of overlap
+  std::optional<double> pressure_Pa;  ///< largest contact pressure on an elastic body, pascals
 };
 
-/// The lines of text in a picture of a run: its name, the simulated time and the penetration depth; where
-/// they are 0.01 mm or more, also what inverted tissue adds to it, and how deep tissue stands in the ground;
-/// whether overlap is not excluded where the depth does not show it; and the
-/// pressure that the tissue's darkest colour stands for, where it is pressed.
+/// The lines of text in a picture of a run: the run's name, the simulated time and the penetration depth.
+/// Further lines follow where they apply: the inversion-aware depth where it is at least 0.01 mm larger, the
+/// depth of tissue below the ground from 0.01 mm on, a note where overlap is not excluded although the depth
+/// is below 0.01 mm, and the pressure for which the tissue's darkest colour stands.
 std::vector<std::string> frameText(const std::string& run, double time_s, const FrameMeasures& measures);
 
 }  // namespace fissure

@@ -11,15 +11,17 @@ using Vec3 = Eigen::Vector3d;
 using Quat = Eigen::Quaterniond;  ///< unit quaternion; stored as x, y, z, w wherever it is written down
 using Mat3 = Eigen::Matrix3d;
 
-/// Where a rigid body is: maps its own frame to the scene's.
+/// The pose of a rigid body: maps points and directions of its own frame to the scene frame.
 struct Pose {
   Vec3 position_m = Vec3::Zero();
   Quat orientation = Quat::Identity();
 
+  /// Points in metres, from the body's frame to the scene frame and back.
   Vec3 toScene(const Vec3& point_in_body_m) const { return position_m + orientation * point_in_body_m; }
   Vec3 toBody(const Vec3& point_in_scene_m) const {
     return orientation.conjugate() * (point_in_scene_m - position_m);
   }
+  /// Directions (vectors without a position), from the body's frame to the scene frame and back.
   Vec3 rotateToScene(const Vec3& direction_in_body) const { return orientation * direction_in_body; }
   Vec3 rotateToBody(const Vec3& direction_in_scene) const {
     return orientation.conjugate() * direction_in_scene;

@@ -1,5 +1,7 @@
 #include "base/hash.h"
 
+#include <sha2.h>
+
 #include <cstdint>
 
 namespace fissure {
@@ -13,6 +15,12 @@ std::string fnv1a64(std::string_view bytes) {
   constexpr std::string_view digits = "0123456789abcdef";
   std::string text;
   for (int shift = 60; shift >= 0; shift -= 4) text += digits[(hash >> shift) & 15u];
+  return text;
+}
+
+std::string sha256(std::string_view bytes) {
+  char text[SHA256_DIGEST_STRING_LENGTH] = {};
+  SHA256Data(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size(), text);
   return text;
 }
 

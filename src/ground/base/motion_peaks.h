@@ -6,17 +6,18 @@
 
 namespace fissure {
 
-/// Largest speed and acceleration of a point that is seen once a step: its differences over one step and over
-/// two. A speed that changes at once, as that of a script with constant speed, gives an acceleration of the
-/// change over a step.
+/// Largest speed and acceleration of a point whose position is sampled once per step, by finite differences
+/// over one and over two steps. A jump of the velocity, as at the ends of a script with constant speed,
+/// counts as an acceleration of that change over one step.
 class MotionPeaks {
  public:
   explicit MotionPeaks(double step_s) : step_s_(step_s) {}
 
+  /// Takes the position at the end of the next step.
   void add(const Vec3& position_m);
-  /// NaN with fewer than two positions, and after one that is not a number.
+  /// Largest speed so far; NaN with fewer than two positions, and after a position that is not a number.
   double speed_m_s() const { return speed_m_s_; }
-  /// NaN with fewer than three, and after one that is not a number.
+  /// Largest acceleration so far; NaN with fewer than three positions, and after one that is not a number.
   double acceleration_m_s2() const { return acceleration_m_s2_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace fissure {
 
-/// One thing that is looked at in every step: declares its series once, then fills their columns.
-/// A run is composed of the probes its scenario needs, and pays for no other.
+/// A measurement that is taken in every step: it declares its time series once, then fills their columns. A
+/// run has the probes that its scenario needs and no others.
 class Probe {
  public:
   virtual ~Probe() = default;
@@ -17,11 +17,12 @@ class Probe {
   virtual void declare(RecordLayout& layout) = 0;
   /// Fills this probe's columns of `row` (which has layout.columns() entries) from the state of one step.
   virtual void sample(const State& state, RecordRow& row) = 0;
-  /// Appends this probe's scalars after the last step; with no sample before, values are NaN, never zero.
+  /// Appends this probe's scalars after the last step; without any sample they are NaN, never zero.
   virtual void summarize(Summary& summary) const = 0;
 };
 
-/// The columns of a run's record: `time`, then the probes' series.
+/// Declares the columns of a run's record: `time`, then the series of the probes in their order. Throws
+/// std::logic_error when two probes declare the same series.
 RecordLayout declareLayout(const std::vector<std::unique_ptr<Probe>>& probes);
 
 }  // namespace fissure

@@ -7,13 +7,13 @@
 
 namespace fissure {
 
-/// An axis beside time: "law" with its names, "xyz", "tool".
+/// An axis of a series beside time, such as "law", "xyz" or "tool".
 struct RecordAxis {
   std::string name;
-  std::vector<std::string> labels;  ///< one an index; their number is the axis's length
+  std::vector<std::string> labels;  ///< one label per index; their number is the length of the axis
 };
 
-/// What a value is, and so how it is stored.
+/// The kind of a value, which decides how it is stored.
 enum class ValueType {
   real,   ///< double, NaN = missing
   count,  ///< int64
@@ -22,29 +22,34 @@ enum class ValueType {
 
 /// One time series of a run: the meaning of a few columns of the record.
 struct Series {
-  std::string name;       ///< of the dataset; may start with "timing/"
-  std::string units;      ///< "m", "N", "1", "us" ...
+  /// "m", "N", "1", "us" ...
+  std::string name;  ///< name of the dataset; may start with "timing/"
+  std::string units;
   std::string long_name;  ///< one line for people
   ValueType type = ValueType::real;
-  /// Names of RecordAxis beside time, slowest first; empty: one value a step.
+  /// Names of the axes beside time, slowest first; empty: one value per step.
   std::vector<std::string> axes = {};
   std::size_t first_column = 0;  ///< set by RecordLayout
   std::size_t columns = 1;       ///< set by RecordLayout
 };
 
-/// The columns of a record: which series a run has, in order. Only what the scenario asked for is present.
+/// The columns of a record: the series of a run, in order. Only series that the scenario asks for are
+/// present.
 class RecordLayout {
  public:
-  /// Declares an axis; the same name again must bring the same labels (std::logic_error otherwise).
+  /// Declares an axis. Throws std::logic_error when the name is known with other labels.
   void addAxis(const RecordAxis& axis);
   /// Declares a series over declared axes and returns its first column. Throws std::logic_error on a
   /// duplicate name or an unknown axis.
   std::size_t add(Series series);
 
   const std::vector<RecordAxis>& axes() const { return axes_; }
+  /// The axis of this name. Throws std::logic_error when there is none.
   const RecordAxis& axis(const std::string& name) const;
   const std::vector<Series>& series() const { return series_; }
+  /// The series of this name, or null.
   const Series* find(const std::string& name) const;
+  /// Number of columns of all series together.
   std::size_t columns() const { return columns_; }
 
  private:
@@ -53,10 +58,11 @@ class RecordLayout {
   std::size_t columns_ = 0;
 };
 
-/// One row: all columns of one step. Counts and flags are exact in a double.
+/// One row of a record: all columns of one step. Counts and flags are exact in a double.
 using RecordRow = std::vector<double>;
 
-/// A quantity that is kept of many runs over times that they share: a curve each run, or one each force law.
+/// A quantity that a sweep keeps as curves over time steps that its runs share: one curve per run, or one per
+/// run and force law.
 struct CurveQuantity {
   std::string name;
   std::string units;
@@ -68,7 +74,7 @@ struct CurveQuantity {
 struct SummaryValue {
   std::string name;
   std::variant<double, long long, std::string> value;
-  bool of_law = false;  ///< depends on the coefficients of force laws, where these move nothing
+  bool of_law = false;  ///< it depends on coefficients of force laws that move no tool
 };
 using Summary = std::vector<SummaryValue>;
 

@@ -11,9 +11,10 @@ struct StageTime {
   double total_s = 0;
 };
 
-/// Books the time since its last lap on a stage.
+/// A stopwatch that adds the time since its last lap to a stage.
 class StageClock {
  public:
+  /// Adds the seconds since the last lap, or since construction, to `stage_s`.
   void lap(double& stage_s) {
     const auto now = std::chrono::steady_clock::now();
     stage_s += std::chrono::duration<double>(now - last_).count();

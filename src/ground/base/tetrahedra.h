@@ -11,12 +11,12 @@ namespace fissure {
 /// that its volume dot(b - a, cross(c - a, d - a)) / 6 is positive.
 using Tetrahedron = std::array<int, 4>;
 
-/// A volume of linear tetrahedra, metres. Its first vertices are those of its surface, in the surface's own
-/// order and bit for bit the same; the vertices inside follow.
+/// A mesh of linear tetrahedra, metres. Its first vertices are those of its surface, bit for bit and in the
+/// same order; the vertices inside follow.
 struct TetrahedralMesh {
   std::vector<Vec3> vertices_m;
   std::vector<Tetrahedron> tetrahedra;
-  std::vector<int> tags = {};  ///< one per tetrahedron, as a mesh file numbers its parts; empty: it has none
+  std::vector<int> tags = {};  ///< [tetrahedron] number of its part in the mesh file; empty: no parts
 };
 
 }  // namespace fissure

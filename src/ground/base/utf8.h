@@ -6,7 +6,7 @@
 
 namespace fissure {
 
-/// What a text that should be UTF-8 begins with.
+/// The first character or bad byte of a text that should be UTF-8.
 struct Utf8Start {
   enum class Kind {
     character,   ///< a whole character
@@ -14,20 +14,22 @@ struct Utf8Start {
     unfinished,  ///< the text ends within a character
   };
   Kind kind = Kind::character;
+  /// Length of the character, or of the bytes to skip.
   std::size_t bytes = 1;
-  std::uint32_t character = 0;  ///< Unicode's number of a whole one
+  std::uint32_t character = 0;  ///< Unicode code point of a whole character, else 0
 
   bool isWhole() const { return kind == Kind::character; }
 };
 
-/// Of a text that is not empty; by RFC 3629, without overlong forms and surrogates.
+/// The start of `text`, which must not be empty, by RFC 3629: overlong forms and surrogates are bad bytes.
 Utf8Start utf8Start(std::string_view text);
 
-/// Whether a character controls a terminal or hides what a text says: C0 and C1 control characters, DEL, the
-/// separators of lines and paragraphs, and what overrides, embeds or isolates the direction of writing.
+/// Whether a character controls a terminal or hides part of a text: C0 and C1 control characters, DEL, the
+/// separators of lines and paragraphs, and characters that override, embed or isolate the direction of
+/// writing.
 bool isControl(std::uint32_t character);
 
-/// Whether `text` is one line that shows what it says: UTF-8 without such characters.
+/// Whether `text` is one line of valid UTF-8 without control characters (isControl).
 bool isPlainLine(std::string_view text);
 
 }  // namespace fissure

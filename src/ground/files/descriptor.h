@@ -6,7 +6,7 @@
 
 namespace fissure {
 
-/// Owns a file descriptor and closes it.
+/// Owns a file descriptor and closes it in the end.
 class Descriptor {
  public:
   Descriptor() = default;

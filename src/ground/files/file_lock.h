@@ -6,12 +6,12 @@
 
 namespace fissure {
 
-/// An exclusive lock that lives in a file of its own, which is gone when the lock is freed. The system frees
-/// it when this process ends, however it ends; then an empty file stays, which stops nobody.
+/// An exclusive lock on a lock file, which is removed when the lock is released. When the process ends
+/// without releasing it, the system does; an empty lock file then stays and blocks nobody.
 class FileLock {
  public:
-  /// Makes and locks `path`. Throws InputError about `target`, what the lock guards: another process holds
-  /// it, or its folder cannot be written.
+  /// Creates and locks the lock file `path`. Throws InputError about `target`, the file that the lock guards,
+  /// when another process holds the lock or the folder cannot be written.
   FileLock(const std::filesystem::path& path, const std::filesystem::path& target);
   ~FileLock();
   FileLock(const FileLock&) = delete;

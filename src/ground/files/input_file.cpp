@@ -1,6 +1,7 @@
 #include "files/input_file.h"
 
 #include <fcntl.h>
+#include <fmt/core.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -34,7 +35,7 @@ class InputFile {
     if (bytes > most_bytes) {
       const std::string most = std::to_string(most_bytes >> 20) + " MiB";
       throw InputError(inFile(file_),
-                       "is larger than " + most + ", expected " + expected_ + " of at most " + most);
+                       fmt::format("is larger than {0}, expected {1} of at most {0}", most, expected_));
     }
     std::string text(bytes, '\0');
     if (bytes == 0) return text;

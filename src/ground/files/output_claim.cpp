@@ -1,5 +1,7 @@
 #include "files/output_claim.h"
 
+#include <fmt/core.h>
+
 #include <climits>
 
 #include "base/error.h"
@@ -28,9 +30,9 @@ fs::path hiddenBeside(const fs::path& output, const std::string& ending) {
 void refuseExisting(const fs::path& output, bool replace) {
   const std::size_t bytes = output.filename().string().size();
   if (bytes > longest_name)
-    refuse(output, "has a name of " + std::to_string(bytes) + " bytes, expected at most " +
-                       std::to_string(longest_name) +
-                       ", as the files that are made beside it have longer ones");
+    refuse(output, fmt::format("has a name of {} bytes, expected at most {}, as the files that are made "
+                               "beside it have longer ones",
+                               bytes, longest_name));
   std::error_code ignored;  // what cannot be looked at cannot be written either, and is said then
   const fs::file_status status = fs::status(output, ignored);
   if (!fs::exists(status)) return;

@@ -5,13 +5,14 @@
 
 namespace fissure {
 
-/// The name of a file in the making that takes its place under its final name whole or not at all. It lies
-/// beside that name; whoever drops it before commit() leaves nothing behind. The owner makes the file.
+/// The name of an unfinished file, which commit() renames to its final name: there the file appears complete
+/// or not at all. It lies beside the final name and is removed when this object is destroyed without
+/// commit(). The caller creates the file.
 class TemporaryFile {
  public:
   /// `<target>.<process>.<n>.tmp`
   static std::filesystem::path nameFor(const std::filesystem::path& target, int process, int n);
-  /// nameFor() this process with an n that nobody has.
+  /// Takes nameFor() this process with an unused n.
   explicit TemporaryFile(std::filesystem::path target);
   ~TemporaryFile();
   TemporaryFile(const TemporaryFile&) = delete;
@@ -19,11 +20,11 @@ class TemporaryFile {
 
   const std::filesystem::path& path() const { return path_; }
 
-  /// Makes the file, of this text. Throws RunError("cannot write: <reason>").
+  /// Creates the file with this text. Throws RunError("cannot write: <reason>").
   void write(const std::string& text) const;
 
-  /// Of a finished and closed file: makes it durable, renames it to the target and makes the folder durable.
-  /// Throws RunError.
+  /// Flushes the file, which must be complete and closed, to disk, renames it to the target and flushes the
+  /// folder. Throws RunError when one of these fails.
   void commit();
 
  private:

@@ -73,7 +73,7 @@ void limit(int resource, rlim_t most) {
   ::setrlimit(static_cast<__rlimit_resource>(resource), &limits);
 }
 
-/// Of this process; 0 where the system does not say.
+/// Size of the address space of this process; 0 where the system does not report it.
 std::uint64_t addressSpace_bytes() {
   std::uint64_t pages = 0;
   std::ifstream("/proc/self/statm") >> pages;

@@ -1,5 +1,6 @@
 #include "process/fed_process.h"
 
+#include <fmt/core.h>
 #include <poll.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -83,7 +84,7 @@ void FedProcess::wait(bool writing) {
   const Ready ready = waitFor(writing ? input_.number() : -1, output_.number(), errors_.number(),
                               stop_descriptor_, most_idle_s_);
   if (!ready.input && !ready.output && !ready.errors && !ready.stop)
-    throw RunError(name_ + ": took and said nothing for " + std::to_string(most_idle_s_) + " s");
+    throw RunError(fmt::format("{}: took and said nothing for {} s", name_, most_idle_s_));
   if (ready.stop) throw RunError(name_ + ": stopped");
   if (ready.output) listen(output_, false);
   if (ready.errors) listen(errors_, true);
@@ -116,8 +117,8 @@ int FedProcess::reapAfterLastWords() {
 
 void FedProcess::fail(int status) const {
   if (!last_error_.empty()) throw RunError(name_ + ": " + last_error_);
-  if (WIFSIGNALED(status)) throw RunError(name_ + ": killed by signal " + std::to_string(WTERMSIG(status)));
-  throw RunError(name_ + ": exit code " + std::to_string(WEXITSTATUS(status)) + " without a word");
+  if (WIFSIGNALED(status)) throw RunError(fmt::format("{}: killed by signal {}", name_, WTERMSIG(status)));
+  throw RunError(fmt::format("{}: exit code {} without a word", name_, WEXITSTATUS(status)));
 }
 
 int FedProcess::reap() {

@@ -15,36 +15,36 @@
 
 namespace fissure {
 
-/// The first folder of $PATH that has a program of that name; no value: none has.
+/// The path of the first program of that name in the folders of $PATH; no value: none has it.
 std::optional<std::filesystem::path> programOnPath(const std::string& name);
 
-/// A program that works on what it is fed through its standard input. It dies with the process that made it,
-/// which must ignore SIGPIPE.
-/// Of what it prints only the last line on stderr is kept.
+/// A running program that processes what is written to its standard input. It dies with the process that
+/// started it, which must ignore SIGPIPE. Of its output only the last line on stderr is kept.
 class FedProcess {
  public:
-  /// Starts the program, without a shell. Whoever waits for it in write() or finish() gives up when
-  /// `stop_descriptor` becomes readable (-1: never), or when the program has neither taken nor said anything
-  /// for `most_idle_s` seconds. Throws RunError when the system cannot; call from the
-  /// process's main thread, as for Worker.
+  /// Starts the program, without a shell. write() and finish() give up when `stop_descriptor` becomes
+  /// readable (-1: never), or when the program has neither read nor printed anything for `most_idle_s`
+  /// seconds. Throws RunError when the program cannot be started. Call from the process's main thread, as for
+  /// Worker.
   FedProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
              int stop_descriptor, int most_idle_s = 300);
   ~FedProcess();  ///< kills it when it still runs
   FedProcess(const FedProcess&) = delete;
   FedProcess& operator=(const FedProcess&) = delete;
 
-  /// Hands on all bytes. Throws RunError, with the program's last line, when it takes no more.
+  /// Writes all bytes to its standard input. Throws RunError, with the program's last line, when it reads no
+  /// more.
   void write(std::span<const std::uint8_t> bytes);
-  /// Tells it that there is no more, and waits for its end. Throws RunError, with its last line, when that is
-  /// not exit code 0 or it has printed an error.
+  /// Closes its standard input and waits for its end. Throws RunError, with its last line, when its exit code
+  /// is not 0 or it has printed an error.
   void finish();
 
  private:
-  /// Until the input takes more (`writing`) or stdout and stderr are closed.
+  /// Waits until the program reads more (`writing`) or has closed stdout and stderr.
   void wait(bool writing);
   void listen(Descriptor& from, bool is_errors);
   void takeError(std::string_view line);
-  /// All that it had to say, and its end.
+  /// Reads the rest of its output and waits for its end; returns the wait status.
   int reapAfterLastWords();
   [[noreturn]] void fail(int status) const;
   int reap();

@@ -42,6 +42,15 @@ Descriptor heldBackRequests() {
   return watch(held_back);
 }
 
+RequestsHeldBack::RequestsHeldBack() {
+  const sigset_t requests = requestsHeard();
+  sigprocmask(SIG_BLOCK, &requests, &before_);
+}
+
+RequestsHeldBack::~RequestsHeldBack() {
+  sigprocmask(SIG_SETMASK, &before_, nullptr);
+}
+
 Interrupt::Interrupt() {
   const sigset_t requests = requestsHeard();
   descriptor_ = watch(requests);

@@ -7,29 +7,43 @@
 
 namespace fissure {
 
-/// Somebody asked for work to stop that leaves nothing behind when it does.
+/// Thrown by work that was stopped on request and left nothing behind.
 class Interrupted : public std::runtime_error {
  public:
   Interrupted() : std::runtime_error("interrupted") {}
 };
 
-/// Readable, to poll, when a request waits that an Interrupt holds back and that its owner has not noticed
-/// yet. Throws RunError.
+/// A descriptor that becomes readable when a request to stop is pending that an Interrupt or RequestsHeldBack
+/// holds back and nobody has noticed yet. Throws RunError when the system gives none.
 Descriptor heldBackRequests();
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP no longer end this process but are a request to stop, which the
-/// owner notices when it is ready. Signals that were ignored before (nohup, a background job of a script)
-/// stay ignored.
+/// During its lifetime requests to stop are held back; afterwards they end this process, or go to the
+/// Interrupt around it. It is for work that would leave files behind if it were killed, and that ends early
+/// when heldBackRequests() becomes readable.
+class RequestsHeldBack {
+ public:
+  RequestsHeldBack();
+  ~RequestsHeldBack();
+  RequestsHeldBack(const RequestsHeldBack&) = delete;
+  RequestsHeldBack& operator=(const RequestsHeldBack&) = delete;
+
+ private:
+  sigset_t before_{};
+};
+
+/// During its lifetime SIGINT, SIGTERM and SIGHUP do not end this process but count as a request to stop,
+/// which the owner polls for. Signals that were ignored before (nohup, a background job of a script) stay
+/// ignored.
 class Interrupt {
  public:
   Interrupt();   ///< throws RunError
-  ~Interrupt();  ///< forgets requests that nobody asked for, and restores the signals
+  ~Interrupt();  ///< drops requests that the owner has not polled for, and restores the signals
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Readable when a request came; to poll.
+  /// Becomes readable when a request has come.
   int descriptor() const { return descriptor_.number(); }
-  /// Whether a request came, now or before.
+  /// Whether a request has come since construction.
   bool requested();
 
  private:

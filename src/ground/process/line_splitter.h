@@ -13,19 +13,19 @@ class LineSplitter {
  public:
   explicit LineSplitter(std::size_t longest) : longest_(longest) {}
 
-  /// Calls `line` with every line that `bytes` completes, without its '\n' and a '\r' before it.
+  /// Calls `line` with every line that `bytes` completes, without its end (' ' or "\r ").
   void feed(std::string_view bytes, const std::function<void(std::string_view)>& line);
-  /// The same for a last line that no '\n' ended.
+  /// Calls `line` with the rest, where the last line has no ' '.
   void finish(const std::function<void(std::string_view)>& line);
 
  private:
   std::size_t longest_;
   std::string pending_;
-  bool started_ = false;  ///< something of the current line was seen
+  bool started_ = false;  ///< the current line has begun
 };
 
-/// `text` as one printable line: control characters and bytes that are no UTF-8 become '?'. What a stray
-/// process wrote ends up in result files and on terminals.
+/// `text` as one printable line, fit for result files and terminals: control characters and bytes that are no
+/// UTF-8 become '?'.
 std::string printableLine(std::string_view text);
 
 }  // namespace fissure

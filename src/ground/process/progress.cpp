@@ -1,5 +1,7 @@
 #include "process/progress.h"
 
+#include <fmt/core.h>
+
 #include <charconv>
 
 namespace fissure {
@@ -30,7 +32,7 @@ std::optional<Progress> parseProgress(std::string_view line) {
 
 std::string describe(const Progress& progress) {
   if (progress.step == 0) return "before its first step";
-  return "after step " + std::to_string(progress.step) + " of " + std::to_string(progress.steps);
+  return fmt::format("after step {} of {}", progress.step, progress.steps);
 }
 
 }  // namespace fissure

@@ -1,5 +1,6 @@
 #include "process/progress_display.h"
 
+#include <fmt/core.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -16,21 +17,21 @@ namespace fissure {
 namespace {
 
 constexpr std::chrono::milliseconds terminal_every{100};
-constexpr std::chrono::seconds plain_every{5};
 
-std::size_t columnsOf(int descriptor) {
+}  // namespace
+
+std::optional<std::size_t> terminalColumns(int descriptor) {
+  if (::isatty(descriptor) == 0) return std::nullopt;
   winsize size = {};
   if (::ioctl(descriptor, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return 80;
   return size.ws_col;
 }
 
-}  // namespace
-
 std::string durationText(double seconds) {
-  if (seconds < 60) return std::to_string(std::lround(seconds)) + " s";
+  if (seconds < 60) return fmt::format("{} s", std::lround(seconds));
   const long minutes = std::lround(seconds / 60);
-  if (minutes < 60) return std::to_string(minutes) + " min";
-  return std::to_string(minutes / 60) + " h " + std::to_string(minutes % 60) + " min";
+  if (minutes < 60) return fmt::format("{} min", minutes);
+  return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
 std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s) {
@@ -56,25 +57,23 @@ std::string progressLine(const std::vector<RunProgress>& runs, double elapsed_s)
 ProgressDisplay::ProgressDisplay(std::ostream& stream, int descriptor)
     : stream_(stream),
       descriptor_(descriptor),
-      terminal_(::isatty(descriptor) != 0),
+      columns_(terminalColumns(descriptor)),
       start_(Clock::now()),
-      next_(start_ + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every))) {}
+      next_(start_ + terminal_every) {}
 
 void ProgressDisplay::update(const std::vector<RunProgress>& runs) {
   show([&](double elapsed_s) { return progressLine(runs, elapsed_s); });
 }
 
 void ProgressDisplay::show(const std::function<std::string(double elapsed_s)>& make_line) {
+  if (!columns_) return;
   const Clock::time_point now = Clock::now();
   if (now < next_) return;
-  next_ = now + (terminal_ ? Clock::duration(terminal_every) : Clock::duration(plain_every));
+  next_ = now + terminal_every;
   const std::string line = make_line(std::chrono::duration<double>(now - start_).count());
-  if (!terminal_) {
-    stream_ << line << std::endl;
-    return;
-  }
   emptyLine();
-  stream_ << line.substr(0, columnsOf(descriptor_) - 1) << std::flush;
+  columns_ = terminalColumns(descriptor_).value_or(*columns_);  // somebody may have drawn it wider
+  stream_ << line.substr(0, *columns_ - 1) << std::flush;
   shown_ = true;
 }
 

@@ -43,7 +43,7 @@ void setWorkerSignals() {
 /// Runs in the child, between fork and exec: system calls only. Returns only when exec failed, with errno
 /// set.
 void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pipe& errors,
-                  const rlimit& memory, char* const* arguments) {
+                  const rlimit& memory, char* const* arguments, char* const* environment) {
   if (::prctl(PR_SET_PDEATHSIG, SIGKILL) != 0) return;
   if (::getppid() != parent) ::_exit(1);  // it died before the line above
   const int read = input.reading.open() ? input.reading.number() : ::open("/dev/null", O_RDONLY);
@@ -53,7 +53,27 @@ void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pip
   if (::close_range(STDERR_FILENO + 1, UINT_MAX, CLOSE_RANGE_CLOEXEC) != 0) return;
   if (memory.rlim_cur > 0 && ::setrlimit(RLIMIT_DATA, &memory) != 0) return;
   setWorkerSignals();
-  ::execv(arguments[0], arguments);
+  ::execve(arguments[0], arguments, environment);
+}
+
+/// "NAME=value" of each variable of this process, with another $TMPDIR where one is asked for.
+std::vector<std::string> environmentOf(const WorkerTask& task) {
+  const std::string name = "TMPDIR=";
+  std::vector<std::string> variables;
+  for (char** variable = environ; *variable != nullptr; ++variable) variables.emplace_back(*variable);
+  if (task.temporary_folder.empty()) return variables;
+  std::erase_if(variables, [&](const std::string& variable) { return variable.starts_with(name); });
+  variables.push_back(name + std::filesystem::absolute(task.temporary_folder).string());
+  return variables;
+}
+
+/// As exec takes them; `texts` must outlive it.
+std::vector<char*> pointersTo(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  pointers.reserve(texts.size() + 1);
+  for (std::string& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
 }
 
 }  // namespace
@@ -61,10 +81,9 @@ void becomeWorker(pid_t parent, const Pipe& input, const Pipe& output, const Pip
 SpawnedProcess spawn(const WorkerTask& task) {
   std::vector<std::string> words = {task.program.string()};
   words.insert(words.end(), task.arguments.begin(), task.arguments.end());
-  std::vector<char*> arguments;
-  arguments.reserve(words.size() + 1);
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  const std::vector<char*> arguments = pointersTo(words);
+  std::vector<std::string> variables = environmentOf(task);
+  const std::vector<char*> environment = pointersTo(variables);
 
   Pipe input = task.fed ? makePipe() : Pipe();
   Pipe output = makePipe();
@@ -75,7 +94,7 @@ SpawnedProcess spawn(const WorkerTask& task) {
   if (process < 0) throw RunError(std::string("cannot start a process: ") + std::strerror(errno));
   if (process == 0) {
     const auto bytes = static_cast<rlim_t>(task.memory_limit_mib * 1048576);
-    becomeWorker(parent, input, output, errors, {bytes, bytes}, arguments.data());
+    becomeWorker(parent, input, output, errors, {bytes, bytes}, arguments.data(), environment.data());
     const int reason = errno;
     const ssize_t written = ::write(failure.writing.number(), &reason, sizeof reason);
     ::_exit(written == sizeof reason ? 127 : 126);

@@ -12,11 +12,11 @@ struct SpawnedProcess {
   pid_t process = -1;
   Descriptor output;  ///< its stdout
   Descriptor errors;  ///< its stderr
-  Descriptor input;   ///< its stdin, when it is fed
+  Descriptor input;   ///< its stdin, where WorkerTask::fed asks for it
 };
 
-/// Forks and executes `task` under the rules in Worker. Throws RunError with the system's reason when it
-/// cannot start.
+/// Starts `task` as a child process under the rules of Worker. Throws RunError with the system's reason when
+/// it cannot start.
 SpawnedProcess spawn(const WorkerTask& task);
 
 }  // namespace fissure

@@ -12,7 +12,7 @@
 #include <csignal>
 #include <sstream>
 
-#include "base/error.h"
+#include "process/interrupt.h"
 #include "process/line_splitter.h"
 #include "process/spawn.h"
 
@@ -33,18 +33,24 @@ void listen(Descriptor& from, std::string& text) {
     from.reset();
 }
 
-/// Collects both streams until they end. False: the time is up.
-bool listenUntil(Clock::time_point end, SpawnedProcess& process, std::string& output, std::string& errors) {
+enum class Heard { all, time_is_up, stop };
+
+/// Collects both streams until they end.
+Heard listenUntil(Clock::time_point end, int stop_descriptor, SpawnedProcess& process, std::string& output,
+                  std::string& errors) {
   while (process.output.open() || process.errors.open()) {
     const double left_s = std::chrono::duration<double>(end - Clock::now()).count();
-    if (left_s <= 0) return false;
-    std::array<pollfd, 2> polled = {
-        {{process.output.number(), POLLIN, 0}, {process.errors.number(), POLLIN, 0}}};
-    ::poll(polled.data(), polled.size(), static_cast<int>(std::ceil(std::min(left_s, 60.0) * 1e3)));
+    if (left_s <= 0) return Heard::time_is_up;
+    std::array<pollfd, 3> polled = {{{process.output.number(), POLLIN, 0},
+                                     {process.errors.number(), POLLIN, 0},
+                                     {stop_descriptor, POLLIN, 0}}};
+    const int ready =
+        ::poll(polled.data(), polled.size(), static_cast<int>(std::ceil(std::min(left_s, 60.0) * 1e3)));
+    if (ready > 0 && polled[2].revents != 0) return Heard::stop;
     listen(process.output, output);
     listen(process.errors, errors);
   }
-  return true;
+  return Heard::all;
 }
 
 std::string lastLine(const std::string& text) {
@@ -58,21 +64,23 @@ std::string lastLine(const std::string& text) {
 }  // namespace
 
 ProgramOutcome runProgram(const std::filesystem::path& program, const std::vector<std::string>& arguments,
-                          double most_s) {
+                          double most_s, int stop_descriptor) {
   const std::string name = program.filename().string();
   const auto end =
       Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(most_s));
   SpawnedProcess process = spawn({.program = program, .arguments = arguments});
   ProgramOutcome outcome;
   std::string errors;
-  outcome.in_time = listenUntil(end, process, outcome.output, errors);
+  const Heard heard = listenUntil(end, stop_descriptor, process, outcome.output, errors);
+  outcome.in_time = heard == Heard::all;
   if (!outcome.in_time) ::kill(process.process, SIGKILL);
   int status = 0;
   while (::waitpid(process.process, &status, 0) < 0 && errno == EINTR) {
   }
+  if (heard == Heard::stop) throw Interrupted();
   outcome.error = lastLine(errors);
   if (!outcome.in_time) return outcome;
-  if (!WIFEXITED(status)) throw RunError(name + ": killed by signal " + std::to_string(WTERMSIG(status)));
+  if (!WIFEXITED(status)) throw KilledProgram(name, WTERMSIG(status));
   outcome.code = WEXITSTATUS(status);
   return outcome;
 }

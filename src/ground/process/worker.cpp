@@ -1,5 +1,6 @@
 #include "process/worker.h"
 
+#include <fmt/core.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,7 +37,7 @@ bool readSome(Descriptor& descriptor, const Take& take) {
 
 std::string signalName(int number) {
   const char* name = ::sigabbrev_np(number);
-  return std::to_string(number) + (name ? " (SIG" + std::string(name) + ")" : "");
+  return name ? fmt::format("{} (SIG{})", number, name) : std::to_string(number);
 }
 
 }  // namespace
@@ -93,12 +94,12 @@ double Worker::timeLeft_s() const {
 RunStatus Worker::statusOf(int wait_status) const {
   const std::string line = last_error_.empty() ? "" : ": " + last_error_;
   if (WIFSIGNALED(wait_status))
-    return {RunEnd::crashed,
-            "killed by signal " + signalName(WTERMSIG(wait_status)) + " " + describe(progress_) + line};
+    return {RunEnd::crashed, fmt::format("killed by signal {} {}{}", signalName(WTERMSIG(wait_status)),
+                                         describe(progress_), line)};
   const int code = WEXITSTATUS(wait_status);
   if (code == 0) return {RunEnd::ok, ""};
   if (error_is_marked_) return {RunEnd::failed, last_error_};
-  return {RunEnd::failed, "exit code " + std::to_string(code) + " " + describe(progress_) + line};
+  return {RunEnd::failed, fmt::format("exit code {} {}{}", code, describe(progress_), line)};
 }
 
 std::optional<RunStatus> Worker::poll() {

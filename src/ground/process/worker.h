@@ -16,36 +16,39 @@
 
 namespace fissure {
 
-/// One program to run and to watch.
+/// A program to be run as a worker, and its limits.
 struct WorkerTask {
   std::filesystem::path program;
-  std::vector<std::string> arguments;  ///< without the program's name; passed on as they are, no shell
-  double time_limit_s = 3600;          ///< wall clock, from its start
-  double memory_limit_mib = 0;         ///< of data that it may hold (RLIMIT_DATA); 0: no limit
-  bool fed = false;  ///< reads what it is given (FedProcess); otherwise there is nothing to read
+  std::vector<std::string> arguments;           ///< without the program's name; passed on verbatim, no shell
+  double time_limit_s = 3600;                   ///< wall-clock time from its start
+  double memory_limit_mib = 0;                  ///< limit of its data segment (RLIMIT_DATA); 0: no limit
+  std::filesystem::path temporary_folder = {};  ///< its $TMPDIR; empty: that of this process
+  bool fed = false;  ///< it reads from a pipe (FedProcess); otherwise its standard input is empty
 };
 
 /// A worker process. Contract of the program: on stdout lines `progress <step> <steps>`, on stderr at most
-/// one line `error: ...`; exit code 0 when its work is done. It reads nothing, inherits no descriptor but its
-/// pipes, ignores SIGINT, SIGTERM and SIGHUP (the front alone decides), and dies with the process that made
-/// it.
+/// one line `error: ...`; exit code 0 when its work is done. It reads nothing, inherits no descriptors but
+/// its pipes, ignores SIGINT, SIGTERM and SIGHUP (only the process that started it decides on its end), and
+/// dies with that process.
 class Worker {
  public:
-  /// Starts the program. Throws RunError when the system cannot; call from the process's main thread, because
-  /// the worker dies with the thread that made it.
+  /// Starts the program. Throws RunError when it cannot be started. Call from the process's main thread,
+  /// because the worker dies with the thread that started it.
   explicit Worker(const WorkerTask& task);
   ~Worker();  ///< kills it when it still runs
   Worker(const Worker&) = delete;
   Worker& operator=(const Worker&) = delete;
 
-  /// Its stdout and stderr, to poll for reading; -1 where the worker closed it.
+  /// Descriptors of its stdout and stderr, to be polled for reading; -1 where the worker has closed it.
   std::array<int, 2> descriptors() const { return {output_.number(), errors_.number()}; }
-  /// Reads what is there, without waiting and at most 64 KiB of each, so that a flood cannot hold the caller.
+  /// Reads what is available without blocking, at most 64 KiB of each, so that a flood of output cannot block
+  /// the caller.
   void read();
+  /// The last progress that the worker has printed.
   const Progress& progress() const { return progress_; }
 
-  /// How it ended; no value while it runs. `ok` says exit code 0 and no more. Past its time limit it is
-  /// killed here.
+  /// How it ended; no value while it runs. `ok` means exit code 0 and nothing else. A worker past its time
+  /// limit is killed here.
   std::optional<RunStatus> poll();
   /// Kills it and waits for its end; returns {end, "<reason> after step N of M"}.
   RunStatus stop(RunEnd end, const std::string& reason);
@@ -68,7 +71,8 @@ class Worker {
   LineSplitter error_lines_{2000};
   Progress progress_;
   std::string last_error_;
-  bool error_is_marked_ = false;  ///< last_error_ began with "error: "; other lines no longer replace it
+  /// last_error_ began with "error: "; other lines no longer replace it.
+  bool error_is_marked_ = false;
 };
 
 }  // namespace fissure

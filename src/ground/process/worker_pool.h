@@ -11,35 +11,37 @@
 
 namespace fissure {
 
-/// Hears what happens in a pool, in the thread that runs it. `task` counts from 0 in the order of the tasks
-/// given.
+/// Is told of the events in a pool, in the thread that runs it. `task` is the index of a task, from 0 in the
+/// order given to run().
 class PoolObserver {
  public:
   virtual ~PoolObserver() = default;
   virtual void started(std::size_t task) = 0;
   virtual void progressed(std::size_t task, const Progress& progress) = 0;
-  /// Called exactly once for every task, also for one that never started (then `failed` or `interrupted`).
+  /// Called exactly once for every task, even for one that never started (then with `failed` or
+  /// `interrupted`).
   virtual void finished(std::size_t task, const RunStatus& status) = 0;
-  /// Called whenever the pool woke up, at least about ten times a second: to refresh a display.
+  /// Called whenever the pool wakes up, at least about ten times a second, to refresh a display.
   virtual void woke() = 0;
-  /// Whether all that runs should be stopped and no more be started; asked after woke().
+  /// Whether the pool should stop all running tasks and start no more; asked after woke().
   virtual bool wantsStop() const { return false; }
 };
 
-/// Runs tasks in processes of their own, a fixed number of them side by side, and watches them.
+/// Runs tasks in processes of their own, at most a fixed number of them at the same time, and watches them.
 class WorkerPool {
  public:
-  /// `slots`: workers side by side, at least 1. A request to `interrupt` stops the running workers and starts
-  /// no other.
+  /// `slots`: number of workers at the same time, at least 1. A request to `interrupt` stops the running
+  /// workers, and no others are started.
   WorkerPool(int slots, Interrupt& interrupt) : slots_(slots), interrupt_(interrupt) {}
 
-  /// Runs all tasks, in order of their start, and returns when the last has ended. The observer hears every
-  /// end at once; what it throws stops all workers and is passed on.
+  /// Runs all tasks, started in their order, and returns when the last has ended. The observer is told of
+  /// every end at once; what the observer throws stops all workers and is rethrown.
   void run(const std::vector<WorkerTask>& tasks, PoolObserver& observer) {
     run(
         tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
   }
-  /// The same of tasks that are made when their turn comes; a RunError then is that task's end (`failed`).
+  /// The same for tasks that `make` creates when their turn comes; where it throws RunError, that task ends
+  /// as `failed`.
   void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make,
            PoolObserver& observer);
 

@@ -1,5 +1,7 @@
 #include "text/delimited_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -20,8 +22,8 @@ std::string missingColumn(const std::string& name, const std::vector<std::string
   }
   if (names.size() > most) has += ", ...";
   const std::string advice = didYouMean(name, known);
-  return "no column \"" + name + "\" in the header (it has " + has + ")" +
-         (advice.ends_with('?') ? advice : ", expected one of these");
+  return fmt::format("no column \"{}\" in the header (it has {}){}", name, has,
+                     advice.ends_with('?') ? advice : ", expected one of these");
 }
 
 }  // namespace
@@ -57,8 +59,8 @@ bool DelimitedText::next() {
   splitCells(line, delimiter_, cells_);
   const auto extra = cells_.begin() + static_cast<std::ptrdiff_t>(std::min(names_.size(), cells_.size()));
   if (std::any_of(extra, cells_.end(), [](std::string_view cell) { return !cell.empty(); }))
-    throw InputError(inFile(file_, line_), std::to_string(cells_.size()) + " cells, expected the " +
-                                               std::to_string(names_.size()) + " of the header");
+    throw InputError(inFile(file_, line_),
+                     fmt::format("{} cells, expected the {} of the header", cells_.size(), names_.size()));
   return true;
 }
 

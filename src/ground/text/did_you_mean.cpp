@@ -19,7 +19,7 @@ int editDistance(std::string_view a, std::string_view b) {
   return cost[a.size()][b.size()];
 }
 
-std::string didYouMean(std::string_view given, const std::vector<std::string>& known) {
+const std::string* nearestName(std::string_view given, const std::vector<std::string>& known) {
   const std::string* nearest = nullptr;
   // A third of the letters may be wrong. Beyond that (or for absurdly long input) a suggestion would be
   // noise.
@@ -32,7 +32,11 @@ std::string didYouMean(std::string_view given, const std::vector<std::string>& k
       nearest = &name;
     }
   }
-  if (nearest) return ", did you mean \"" + *nearest + "\"?";
+  return nearest;
+}
+
+std::string didYouMean(std::string_view given, const std::vector<std::string>& known) {
+  if (const std::string* nearest = nearestName(given, known)) return ", did you mean \"" + *nearest + "\"?";
   if (known.empty()) return ", expected none here";
   std::string message = ", expected one of ";
   for (std::size_t i = 0; i < known.size(); ++i) message += (i ? ", " : "") + known[i];

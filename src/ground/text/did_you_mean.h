@@ -10,9 +10,12 @@ namespace fissure {
 /// (optimal string alignment distance).
 int editDistance(std::string_view a, std::string_view b);
 
-/// The end of an error message: `, did you mean "x"?` for the known name nearest to `given`, where one is
-/// near enough or is `given` with a forgotten unit ("step" for "step_s"); otherwise `, expected one of a, b,
-/// c`.
+/// The name in `known` that is most like `given`: within an edit distance of about a third of its length, or
+/// `given` with its unit added ("step_s" for "step"). Null when no name is that near.
+const std::string* nearestName(std::string_view given, const std::vector<std::string>& known);
+
+/// The end of an error message about an unknown name: `, did you mean "x"?` with nearestName(), otherwise `,
+/// expected one of a, b, c`.
 std::string didYouMean(std::string_view given, const std::vector<std::string>& known);
 
 }  // namespace fissure

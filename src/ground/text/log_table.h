@@ -5,19 +5,21 @@
 
 namespace fissure {
 
-/// The samples of a log, one after the other, as numbers in columns.
+/// A recorded log, read sample by sample as numbers in named columns.
 class LogTable {
  public:
   virtual ~LogTable() = default;
 
-  /// Index of a named column. Throws InputError, with the names that there are, when it is missing or there
-  /// twice.
+  /// Index of a named column. Throws InputError, which lists the known names, when the name is missing or
+  /// stands there twice.
   virtual std::size_t column(const std::string& name) const = 0;
-  /// Moves to the next sample; false after the last one. Throws InputError.
+  /// Moves to the next sample; returns false after the last one. Throws InputError when the sample cannot be
+  /// read.
   virtual bool next() = 0;
-  /// Of this sample; NaN where the log has none. Throws InputError with the line for what is no number.
+  /// The value of this sample in a column; NaN where the log has none. Throws InputError with the line number
+  /// when the cell is no number.
   virtual double number(std::size_t column) const = 0;
-  /// Of this sample, from 1.
+  /// Line number of this sample in the file, from 1.
   virtual int line() const = 0;
   virtual const std::string& fileName() const = 0;
 };

@@ -1,5 +1,7 @@
 #include "text/log_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -84,8 +86,9 @@ double logNumber(std::string_view cell, const std::string& file, int line, const
   double value = 0;
   const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), value);
   if (error != std::errc() || end != digits.data() + digits.size())
-    throw InputError(inFile(file, line),
-                     "\"" + logExcerpt(cell) + "\" in " + in + ", expected a number like -0.0125 or nothing");
+    throw InputError(
+        inFile(file, line),
+        fmt::format("\"{}\" in {}, expected a number like -0.0125 or nothing", logExcerpt(cell), in));
   return value;
 }
 

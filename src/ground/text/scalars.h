@@ -5,12 +5,12 @@
 
 namespace fissure {
 
-/// For messages.
+/// The text in double quotes, for messages; nothing is escaped.
 inline std::string inQuotes(const std::string& text) {
   return '"' + text + '"';
 }
 
-/// What a plain (unquoted) YAML scalar says.
+/// The kind of value that a plain (unquoted) YAML scalar has.
 enum class ScalarKind {
   text,
   integer,       ///< -12
@@ -20,6 +20,7 @@ enum class ScalarKind {
   non_finite,    ///< .nan, .inf, nan, inf ...
 };
 
+/// The kind of an unquoted scalar.
 ScalarKind scalarKind(const std::string& plain);
 
 /// The value of an integer or real scalar; nothing where a double cannot hold it (1e999, 1e-999).

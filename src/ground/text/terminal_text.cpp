@@ -1,9 +1,8 @@
 #include "text/terminal_text.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <cerrno>
-#include <cstdint>
-#include <cstdio>
 #include <cstring>
 #include <ostream>
 
@@ -14,16 +13,14 @@ namespace fissure {
 
 namespace {
 
-std::string writtenOut(const char* format, std::uint32_t number) {
-  std::array<char, 16> text = {};
-  std::snprintf(text.data(), text.size(), format, static_cast<unsigned>(number));
-  return text.data();
+std::string writtenOut(char byte) {
+  return fmt::format("\\x{:02x}", static_cast<unsigned char>(byte));
 }
 
 }  // namespace
 
 PlainTextBuffer::~PlainTextBuffer() {
-  for (const char byte : begun_) put(writtenOut("\\x%02x", static_cast<unsigned char>(byte)));
+  for (const char byte : begun_) put(writtenOut(byte));
 }
 
 bool PlainTextBuffer::noteError(bool good) {
@@ -71,8 +68,7 @@ std::streamsize PlainTextBuffer::xsputn(const char* text, std::streamsize size) 
       begun_ = left;
       return size;
     }
-    const bool good = put(start.isWhole() ? writtenOut("\\u%04x", start.character)
-                                          : writtenOut("\\x%02x", static_cast<unsigned char>(left[0])));
+    const bool good = put(start.isWhole() ? fmt::format("\\u{:04x}", start.character) : writtenOut(left[0]));
     if (!good) return 0;
     left.remove_prefix(start.bytes);
   }
@@ -87,6 +83,7 @@ PlainOutput::PlainOutput(std::ostream& stream)
 void PlainOutput::requireWritten(const std::string& name) {
   if (stream_.flush()) return;
   const int error = plain_.error();
+  if (error == EPIPE) return;
   throw RunError(name + ": cannot write" + (error == 0 ? "" : std::string(": ") + std::strerror(error)));
 }
 

@@ -7,9 +7,9 @@
 
 namespace fissure {
 
-/// Hands text on to another buffer in a form that controls no terminal: a character that would (isControl)
-/// is written as \u009b, as in JSON, and a byte that belongs to no UTF-8 as \xff. Line ends and tabs stay. A
-/// character may come in pieces.
+/// Passes text on to another buffer in a form that controls no terminal: a control character (isControl) is
+/// written as an escape like \u009b, as in JSON, and a byte that is not part of valid UTF-8 like \xff. Line
+/// ends and tabs stay. The bytes of a character may arrive in several pieces.
 class PlainTextBuffer : public std::streambuf {
  public:
   explicit PlainTextBuffer(std::streambuf& to) : to_(to) {}
@@ -17,7 +17,7 @@ class PlainTextBuffer : public std::streambuf {
   PlainTextBuffer(const PlainTextBuffer&) = delete;
   PlainTextBuffer& operator=(const PlainTextBuffer&) = delete;
 
-  /// The system's number of what kept the first text from being written; 0: nothing, or it does not say.
+  /// The errno of the first write that failed; 0: none failed, or the reason is unknown.
   int error() const { return error_; }
 
  protected:
@@ -27,15 +27,15 @@ class PlainTextBuffer : public std::streambuf {
 
  private:
   bool put(std::string_view text);
-  /// Notes the system's error unless `good`, which it returns.
+  /// Keeps errno unless `good` is true; returns `good`.
   bool noteError(bool good);
 
   std::streambuf& to_;
-  std::string begun_;  ///< the first bytes of a character whose last ones have not come
+  std::string begun_;  ///< first bytes of a character that is not complete yet
   int error_ = 0;
 };
 
-/// While it lives, what is written to a stream goes through a PlainTextBuffer.
+/// During its lifetime everything that is written to a stream goes through a PlainTextBuffer.
 class PlainOutput {
  public:
   explicit PlainOutput(std::ostream& stream);
@@ -43,8 +43,8 @@ class PlainOutput {
   PlainOutput(const PlainOutput&) = delete;
   PlainOutput& operator=(const PlainOutput&) = delete;
 
-  /// Throws RunError about `name`, with the system's reason, unless all that was printed is written: that
-  /// must not look like success.
+  /// Throws RunError about `name`, with the system's reason, unless all that was printed is written, so that
+  /// lost output never looks like success. A pipe that its reader has closed, as `head` does, is no error.
   void requireWritten(const std::string& name);
 
  private:

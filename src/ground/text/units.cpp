@@ -1,5 +1,7 @@
 #include "text/units.h"
 
+#include <fmt/core.h>
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -39,6 +41,20 @@ std::string withUnit(double value, const std::string& unit) {
     if (size >= 0.99995 * prefix.factor || prefix.factor < 2e-12)
       return fourDigits(value / prefix.factor) + " " + prefix.text + unit;
   return fourDigits(value) + shown;
+}
+
+std::string numberText(const char* pattern, double value) {
+  return std::isnan(value) ? "nan" : fmt::format(fmt::runtime(pattern), value);
+}
+
+std::string timeText(double seconds) {
+  if (seconds < 0.995) return fmt::format("{:.2f} s", seconds);
+  if (seconds < 9.95) return fmt::format("{:.1f} s", seconds);
+  const long whole = std::lround(seconds);
+  if (whole < 60) return fmt::format("{} s", whole);
+  if (whole < 3600) return fmt::format("{} min {} s", whole / 60, whole % 60);
+  const long minutes = std::lround(seconds / 60);
+  return fmt::format("{} h {} min", minutes / 60, minutes % 60);
 }
 
 }  // namespace fissure

@@ -4,10 +4,18 @@
 
 namespace fissure {
 
-/// A value for people, with four digits: 0.02302, 1.234e+07.
+/// A value with four significant digits, for people: 0.02302, 1.234e+07.
 std::string fourDigits(double value);
 
-/// A value for people, four digits and an SI prefix where its unit takes one: 0.02302 m "23.02 mm", 0 "0 m".
+/// A value with four significant digits and its unit, for people, with an SI prefix where the unit takes one:
+/// "23.02 mm" for 0.02302 m, "0 m" for 0 m.
 std::string withUnit(double value, const std::string& unit);
+
+/// A value for people in the form that a pattern of fmt with one place asks for, 0.023 for "{:.3f}"; "nan"
+/// without a sign.
+std::string numberText(const char* pattern, double value);
+
+/// A duration for people, rounded to about 2 %: "0.34 s", "4.2 s", "13 s", "2 min 10 s", "1 h 5 min".
+std::string timeText(double seconds);
 
 }  // namespace fissure

@@ -1,5 +1,7 @@
 #include "compare/compare_runs.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -30,9 +32,10 @@ std::string names(const StoredAxis& axis) {
 std::string axesProblem(const StoredQuantity& a, const StoredQuantity& b) {
   if (a.row_axis != b.row_axis || a.axes.size() != b.axes.size()) return "other axes";
   for (std::size_t i = 0; i < a.axes.size(); ++i) {
-    if (a.axes[i].name != b.axes[i].name) return "axis " + a.axes[i].name + " against " + b.axes[i].name;
+    if (a.axes[i].name != b.axes[i].name)
+      return fmt::format("axis {} against {}", a.axes[i].name, b.axes[i].name);
     if (a.axes[i] != b.axes[i])
-      return "axis " + a.axes[i].name + ": " + names(a.axes[i]) + " against " + names(b.axes[i]);
+      return fmt::format("axis {}: {} against {}", a.axes[i].name, names(a.axes[i]), names(b.axes[i]));
   }
   return "";
 }
@@ -119,8 +122,7 @@ const std::vector<std::size_t>& SeriesComparer::partners(const std::string& row_
   std::vector<std::size_t>& rows = at->second;
   if (!b_is_reference_) {
     if (of_a.size() != of_b.size())
-      problem =
-          std::to_string(of_a.size()) + " rows over " + row_axis + " against " + std::to_string(of_b.size());
+      problem = fmt::format("{} rows over {} against {}", of_a.size(), row_axis, of_b.size());
     if (fresh) {
       rows.resize(std::min(of_a.size(), of_b.size()));
       std::iota(rows.begin(), rows.end(), std::size_t{0});
@@ -135,9 +137,9 @@ const std::vector<std::size_t>& SeriesComparer::partners(const std::string& row_
     }
   }
   if (rows.size() < of_b.size())
-    problem = "no row at " + formatReal(of_b[rows.size()]) + " s, where the reference has one";
+    problem = fmt::format("no row at {} s, where the reference has one", formatReal(of_b[rows.size()]));
   else if (!of_a.empty() && (of_b.empty() || of_b.back() != of_a.back()))
-    problem = "goes on to " + formatReal(of_a.back()) + " s, the reference does not";
+    problem = fmt::format("goes on to {} s, the reference does not", formatReal(of_a.back()));
   return rows;
 }
 
@@ -160,8 +162,8 @@ std::string SeriesComparer::rowName(const StoredQuantity& b, std::size_t row) {
   const std::vector<double>& times = times_s(b_, b.row_axis);
   const std::size_t of_a = partners_[b.row_axis][row];
   const std::string kind = b.row_axis == "time" ? "step" : b.row_axis.substr(0, b.row_axis.find('_'));
-  return kind + " " + std::to_string(of_a) +
-         (row < times.size() ? " (" + withUnit(times[row], "s") + ")" : "");
+  return row < times.size() ? fmt::format("{} {} ({})", kind, of_a, withUnit(times[row], "s"))
+                            : fmt::format("{} {}", kind, of_a);
 }
 
 std::string SeriesComparer::placeName(const StoredQuantity& b, const ValueIndex& place) {
@@ -211,8 +213,8 @@ QuantityComparison SeriesComparer::compare(const StoredQuantity& a, const Stored
   if (!made.problem.empty()) return made;
   compareValues(a, *b, made);
   const Difference& difference = made.difference;
-  if (a.units != b->units) addProblem(made.problem, "unit " + a.units + " against " + b->units);
-  if (a.type != b->type) addProblem(made.problem, "stored as " + a.type + " against " + b->type);
+  if (a.units != b->units) addProblem(made.problem, fmt::format("unit {} against {}", a.units, b->units));
+  if (a.type != b->type) addProblem(made.problem, fmt::format("stored as {} against {}", a.type, b->type));
   if (difference.nan_a) addProblem(made.problem, "NaN in A at " + placeName(*b, *difference.nan_a));
   if (difference.nan_b) addProblem(made.problem, "NaN in B at " + placeName(*b, *difference.nan_b));
   if (difference.worst) made.worst_at = placeName(*b, *difference.worst);
@@ -280,17 +282,19 @@ bool agree(const QuantityComparison& made, bool exact) {
   return made.tolerance.time_shift_s > 0 && made.shift && within(made.shift->remaining);
 }
 
+std::string statusText(const RunStatus& status) {
+  return nameOf(status.end) + (status.detail.empty() ? "" : " (" + status.detail + ")");
+}
+
 void compareStates(const RunOfFile& a, const RunOfFile& b, std::vector<std::string>& problems) {
   const RunStatus& of_a = a.run->status;
   const RunStatus& of_b = b.run->status;
   if (of_a.end != of_b.end || of_a.detail != of_b.detail)
-    problems.push_back("status " + nameOf(of_a.end) + (of_a.detail.empty() ? "" : " (" + of_a.detail + ")") +
-                       " against " + nameOf(of_b.end) +
-                       (of_b.detail.empty() ? "" : " (" + of_b.detail + ")"));
+    problems.push_back(fmt::format("status {} against {}", statusText(of_a), statusText(of_b)));
   if (a.run->name == b.run->name && a.run->pipeline != b.run->pipeline)
-    problems.push_back("pipeline " + a.run->pipeline + " against " + b.run->pipeline);
+    problems.push_back(fmt::format("pipeline {} against {}", a.run->pipeline, b.run->pipeline));
   if (a.run->name == b.run->name && a.run->precision != b.run->precision)
-    problems.push_back("precision " + a.run->precision + " against " + b.run->precision);
+    problems.push_back(fmt::format("precision {} against {}", a.run->precision, b.run->precision));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "compare/expectations.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -69,7 +71,7 @@ CheckedExpectation check(const Expectation& expected, const PipelineResult& run)
     const std::string untouched = needsContact(expected) ? untouchedTools(run.summary) : "";
     if (checked.holds && !untouched.empty()) {
       checked.holds = false;
-      checked.found += ", but " + untouched + " never touched tissue (contact: any lets that pass)";
+      checked.found += fmt::format(", but {} never touched tissue (contact: any lets that pass)", untouched);
     }
     return checked;
   }
@@ -94,7 +96,8 @@ std::vector<CheckedExpectation> checkExpectations(const std::vector<Expectation>
 }
 
 std::string expectationText(const CheckedExpectation& checked) {
-  return checked.run + ": " + checked.quantity + " is " + checked.found + ", expected " + checked.expected;
+  return fmt::format("{}: {} is {}, expected {}", checked.run, checked.quantity, checked.found,
+                     checked.expected);
 }
 
 }  // namespace fissure

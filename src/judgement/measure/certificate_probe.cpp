@@ -1,4 +1,5 @@
-#include <cstdio>
+
+#include <fmt/core.h>
 
 #include "measure/certifier.h"
 #include "measure/probe_makers.h"
@@ -31,11 +32,7 @@ class CertificateProbe : public Probe {
     if (objection && first_.empty()) {
       first_step_ = state.step;
       first_ = objection->what;
-      if (objection->time < 1) {
-        char share[32];
-        std::snprintf(share, sizeof share, "%.3g", objection->time);
-        first_ += std::string(" at ") + share + " of the step";
-      }
+      if (objection->time < 1) first_ += fmt::format(" at {:.3g} of the step", objection->time);
     }
   }
 

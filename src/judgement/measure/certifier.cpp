@@ -1,5 +1,7 @@
 #include "measure/certifier.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -39,7 +41,7 @@ bool meet(const TreeBox& one, const TreeBox& other) {
 }
 
 std::string edgeText(int from, int to) {  // alike from both of its triangles
-  return "edge " + std::to_string(std::min(from, to)) + "-" + std::to_string(std::max(from, to));
+  return fmt::format("edge {}-{}", std::min(from, to), std::max(from, to));
 }
 
 }  // namespace
@@ -67,8 +69,8 @@ std::optional<Objection> Certifier::certify(const State& state) {
     std::optional<Objection> objection;
     if (!moveTo(state, bodies_[pair.body], pair)) {
       objection = Objection{pair.body, pair.tool,
-                            bodies_[pair.body].name + " is too far from " + tools_[pair.tool].name +
-                                " to be resolved, or not finite",
+                            fmt::format("{} is too far from {} to be resolved, or not finite",
+                                        bodies_[pair.body].name, tools_[pair.tool].name),
                             1};
       pair.is_free = false;
     } else if (pair.is_free) {
@@ -149,23 +151,20 @@ void Certifier::refine(const Pair& pair, const Face& of_body, const Face& of_too
     if (time && *time < earliest.time) earliest = {text(), *time};
   };
   const auto triangleText = [](const Face& face) {
-    return "triangle " + std::to_string(face[0]) + "-" + std::to_string(face[1]) + "-" +
-           std::to_string(face[2]);
+    return fmt::format("triangle {}-{}-{}", face[0], face[1], face[2]);
   };
   for (std::size_t i = 0; i < 3; ++i) {
     note({&moving[i], 1}, resting, [&] {
-      return "vertex " + std::to_string(of_body[i]) + " of " + body + " may meet " + triangleText(of_tool) +
-             " of " + tool;
+      return fmt::format("vertex {} of {} may meet {} of {}", of_body[i], body, triangleText(of_tool), tool);
     });
     note(moving, {&resting[i], 1}, [&] {
-      return triangleText(of_body) + " of " + body + " may meet corner " + std::to_string(of_tool[i]) +
-             " of " + tool;
+      return fmt::format("{} of {} may meet corner {} of {}", triangleText(of_body), body, of_tool[i], tool);
     });
     for (std::size_t j = 0; j < 3; ++j) {
       const std::size_t i2 = (i + 1) % 3, j2 = (j + 1) % 3;
       note(std::array{moving[i], moving[i2]}, std::array{resting[j], resting[j2]}, [&] {
-        return edgeText(of_body[i], of_body[i2]) + " of " + body + " may meet " +
-               edgeText(of_tool[j], of_tool[j2]) + " of " + tool;
+        return fmt::format("{} of {} may meet {} of {}", edgeText(of_body[i], of_body[i2]), body,
+                           edgeText(of_tool[j], of_tool[j2]), tool);
       });
     }
   }
@@ -181,16 +180,16 @@ std::optional<Objection> Certifier::testOverlap(const Pair& pair) {
   });
   const auto objection = [&](const std::string& what) { return Objection{pair.body, pair.tool, what, 1}; };
   if (crosses)
-    return objection("the surfaces of " + body.name + " and " + tool.name + " may cross at its end");
+    return objection(fmt::format("the surfaces of {} and {} may cross at its end", body.name, tool.name));
   for (const SurfacePart& part : tool.parts)
     if (!isProvedOutside(body.parts, pair.now_m,
                          tool.surface.vertices_m[static_cast<std::size_t>(part.corner)]))
-      return objection(tool.name + " may lie inside " + body.name + " at its end");
+      return objection(fmt::format("{} may lie inside {} at its end", tool.name, body.name));
   if (!tool.closed) return std::nullopt;
   for (const SurfacePart& part : body.parts)
     if (!isProvedOutside(tool.parts, tool.surface.vertices_m,
                          pair.now_m[static_cast<std::size_t>(part.corner)]))
-      return objection(body.name + " may lie inside " + tool.name + " at its end");
+      return objection(fmt::format("{} may lie inside {} at its end", body.name, tool.name));
   return std::nullopt;
 }
 

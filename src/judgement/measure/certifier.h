@@ -13,38 +13,38 @@
 
 namespace fissure {
 
-/// Why the end of a step is not proved free of overlap.
+/// The reason why the end of a step is not proved free of overlap.
 struct Objection {
-  std::size_t body = 0, tool = 0;  ///< of the scene
+  std::size_t body = 0, tool = 0;  ///< indices in the scene
   /// "vertex 12 of sphere may meet triangle 3 of spatula", "spatula may lie inside sphere"; indices of
   /// corners and triangles as in the surfaces of the scene.
   std::string what;
-  double time = 0;  ///< share of the step before which they are proved apart, 0..1; 1: found at its end
+  double time = 0;  ///< share of the step, 0..1, until which they are proved apart; 1: found at its end
 };
 
-/// Proves step by step that no tool overlaps tissue (METHOD section 9, certificate), from positions and poses
-/// alone, for every pipeline alike.
+/// Proves step by step that no tool overlaps tissue (measure/METHOD.md 3), from positions and poses alone, in
+/// the same way for every pipeline.
 ///
-/// In a tool's own frame the tool rests, and each tissue vertex is taken to go straight from where it was
-/// after the step before to where it is now. Where no triangle of the tissue meets one of the tool on the way
-/// (earliestMeeting: none is missed, and rounding counts as meeting), and the step before ended free of
-/// overlap, this one does: neither do surfaces cross nor does a connected part of one enclose the other,
-/// since winding numbers change at crossings alone. (Where a part has folded over itself, a sheet and an
+/// In a tool's own frame the tool rests, and each tissue vertex is assumed to move straight from its position
+/// after the step before to its present one. If no triangle of the tissue meets one of the tool on this path
+/// (earliestMeeting: no meeting is missed, and doubt counts as meeting), and the step before ended free of
+/// overlap, then this one does too: surfaces do not cross, and no connected part of one encloses the other,
+/// because winding numbers change only at crossings. (Where a part has folded over itself, a sheet and an
 /// inverted one cancel: such a place is outside of it.) The initial state is tested as a whole, and so is
-/// each step's end after one that is not proved: nothing is proved from such an end until this test finds no
+/// each step's end after one without proof: nothing is proved from such an end until this test finds no
 /// overlap.
 ///
-/// A proof says nothing of what happens between the ends of steps but along these straight paths, nothing of
-/// tissue against the ground or other tissue, and nothing of the inside of a tool whose surface is open.
+/// A proof covers motion between the ends of steps only along these straight paths. It does not cover tissue
+/// against the ground or other tissue, nor the inside of a tool whose surface is open.
 class Certifier {
  public:
   explicit Certifier(const Scene& scene);
 
-  /// The state of the next step, the initial one first. No value: its end is proved free of overlap, and so
-  /// is the way there, unless the step before ended in overlap.
+  /// Takes the state of the next step, the initial one first. No value: its end is proved free of overlap,
+  /// and so is the path to it, unless the step before ended in overlap.
   std::optional<Objection> certify(const State& state);
 
-  /// Pairs of triangles that were asked for a meeting since the start: what certifying costs.
+  /// Number of pairs of triangles tested for meeting since the start, a measure of cost.
   long long pairsAsked() const { return pairs_asked_; }
 
  private:
@@ -61,14 +61,14 @@ class Certifier {
     SurfaceTree tree;  ///< in the tool's frame, at rest
     std::vector<SurfacePart> parts;
   };
-  /// A body in a tool's frame, metres.
+  /// A body in a tool's frame, metres, with [vertex] positions after the last two steps.
   struct Pair {
     std::size_t body = 0, tool = 0;
     std::vector<Vec3> before_m, now_m;
     bool is_free = false;     ///< the last step's end is proved free of overlap
     double separation_m = 0;  ///< more than the rounding of coordinates in this frame
   };
-  /// Two primitives that may meet on the way.
+  /// Two primitives that may meet on their path.
   struct Encounter {
     std::string what;
     double time = std::numeric_limits<double>::infinity();

@@ -42,7 +42,7 @@ class ContactProbe : public Probe {
   long long oblique_steps_ = 0;
   RunningMax max_reaction_N_;
   Roughness roughness_;
-  std::vector<Roughness> tool_roughness_;  ///< one a tool; empty: one at most
+  std::vector<Roughness> tool_roughness_;  ///< one per tool; empty for a single tool or none
   long long contacts_total_ = 0;
   long long max_contacts_ = 0;
   long long switches_ = 0;

@@ -4,8 +4,8 @@
 
 namespace fissure {
 
-/// Scalars steps (State::step of the last state) and final_state_hash: equal for two runs only if their
-/// tissue ended in the same positions and velocities to the last bit.
+/// The scalars `steps` (State::step of the last state) and `final_state_hash`, which is equal for two runs
+/// whose tissue ended with bitwise the same positions and velocities, and practically only for these.
 class FinalStateProbe : public Probe {
  public:
   void declare(RecordLayout& layout) override;
@@ -19,8 +19,8 @@ class FinalStateProbe : public Probe {
   std::vector<Vec3> velocities_m_s_;
 };
 
-/// FNV-1a, 64 bits (Fowler, Noll and Vo), as 16 hexadecimal digits, over x, y, z of all positions, then of
-/// all velocities, each double as 8 bytes, lowest first. -0 counts as 0, and every NaN as the same.
+/// FNV-1a hash, 64 bits (Fowler, Noll and Vo), as 16 hexadecimal digits, over x, y, z of all positions, then
+/// of all velocities, each double as 8 bytes in little-endian order. -0 counts as 0, and all NaN are equal.
 std::string stateHash(const std::vector<Vec3>& positions_m, const std::vector<Vec3>& velocities_m_s);
 
 }  // namespace fissure

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include "measure/same_triangles_roughness.h"
 #include "measure/statistics.h"
 #include "scenario/rigid_tools.h"
+#include "scenario/tissues.h"
 
 namespace fissure {
 
@@ -19,7 +22,8 @@ namespace {
 /// of the triangles that stay (roughness_same_triangles), that of several tools' forces taken together
 /// (tool_force_roughness) and, with a limit, the steps in which a tool was saturated, of every law; those of
 /// the first law under their short names too.
-/// force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed.
+/// force_non_finite_at_step_<law>, the first such step, only where a law's force overflowed;
+/// laws_of_whole_probes only where a law has such coefficients (isOfWholeProbe).
 class ForceProbe : public Probe {
  public:
   /// Laws and limits from `scenario`, which has at least one law; State::forces is in their order.
@@ -34,7 +38,7 @@ class ForceProbe : public Probe {
     std::string name;
     RunningMax max_N;
     Roughness roughness;
-    std::vector<Roughness> tool_roughness;  ///< one a tool; empty: one at most
+    std::vector<Roughness> tool_roughness;  ///< one per tool; empty for a single tool or none
     long long saturated_steps = 0;
     std::optional<long long> non_finite_at_step;
   };
@@ -42,9 +46,10 @@ class ForceProbe : public Probe {
   void sampleTools(const State& state, std::size_t law, RecordRow& row);
 
   std::vector<Law> laws_;
+  std::string of_whole_probes_;  ///< "hunt_crossley (pig_liver_1), ..."
   SameTrianglesRoughness same_triangles_;
   std::vector<std::string> tools_;
-  std::vector<std::optional<double>> limits_N_;  ///< one a tool; empty: no tool has one
+  std::vector<std::optional<double>> limits_N_;  ///< one per tool; empty where no tool has a limit
   bool sampled_ = false;
   std::size_t force_column_ = 0;
   std::size_t terms_column_ = 0;  ///< of the series with one value a law, in the order of declare()
@@ -89,7 +94,11 @@ constexpr std::array<Term, 8> terms = {{
 
 ForceProbe::ForceProbe(const Scenario& scenario, const Scene& scene)
     : same_triangles_(scenario.force.size()) {
-  for (const ForceSettings& law : scenario.force) laws_.push_back({.name = law.name});
+  for (const ForceSettings& law : scenario.force) {
+    laws_.push_back({.name = law.name});
+    if (!isOfWholeProbe(law)) continue;
+    of_whole_probes_ += fmt::format("{}{} ({})", of_whole_probes_.empty() ? "" : ", ", law.name, *law.tissue);
+  }
   for (const SceneTool& tool : scene.tools) tools_.push_back(tool.name);
   if (tools_.size() > 1)
     for (Law& law : laws_) law.tool_roughness.resize(tools_.size());
@@ -194,6 +203,7 @@ void ForceProbe::summarize(Summary& summary) const {
     if (law.non_finite_at_step)
       summary.push_back({"force_non_finite_at_step_" + law.name, *law.non_finite_at_step, true});
   }
+  if (!of_whole_probes_.empty()) summary.push_back({"laws_of_whole_probes", of_whole_probes_, true});
 }
 
 std::unique_ptr<Probe> makeForceProbe(const Scenario& scenario, const Scene& scene) {

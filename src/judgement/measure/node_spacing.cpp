@@ -1,9 +1,9 @@
 #include "measure/node_spacing.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "measure/tool_samples.h"
@@ -71,12 +71,9 @@ bool isOblique(const Vec3& way_in_tool) {
 }
 
 std::string wideNodesText(double spacing_m, double ratio) {
-  std::array<char, 160> text = {};
-  std::snprintf(
-      text.data(), text.size(),
-      "nodes are up to %.2g mm apart, %.2g of a mean tissue edge: above %.1g tissue gets in between",
+  return fmt::format(
+      "nodes are up to {:.2g} mm apart, {:.2g} of a mean tissue edge: above {:.1g} tissue gets in between",
       1e3 * spacing_m, ratio, kWideNodes);
-  return text.data();
 }
 
 }  // namespace fissure

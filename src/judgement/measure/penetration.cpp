@@ -21,6 +21,16 @@ bool isUsable(const Vec3& point) {
 /// largest (5e-5 of its edge) at triangles that are nearly slivers, and for the slack of crossings.
 constexpr double kSlack = 1e-4;
 
+/// No lower bound of a distance is larger: only surface that is not much farther than this from a tool can
+/// make one fall.
+constexpr double kReach_m = 2 * kStandOffLimit_m;
+
+/// Of so few samples of a cluster each is looked at by itself.
+constexpr std::size_t kFewSamples = 3;
+
+/// Nothing is as near as this.
+constexpr double kNowhere_m = -std::numeric_limits<double>::infinity();
+
 /// A distance is looked for as far as some steps go: farther costs more than it saves.
 constexpr double kShortestLook_m = 0.0005;
 
@@ -32,17 +42,6 @@ TreeBox boxAround(std::span<const Vec3> points) {
     box.high = box.high.cwiseMax(point);
   }
   return box;
-}
-
-/// The longest way of any vertex in the last step.
-double longestWay_m(const SurfaceTree& surface) {
-  double squared = 0;
-  for (std::size_t i = 0; i < surface.triangles().size(); ++i) {
-    const TreeTriangle &now = surface.triangles()[i], &before = surface.previous()[i];
-    squared = std::max({squared, (now.a - before.a).squaredNorm(), (now.b - before.b).squaredNorm(),
-                        (now.c - before.c).squaredNorm()});
-  }
-  return std::sqrt(squared);
 }
 
 bool areUsable(std::span<const Vec3> points) {
@@ -60,17 +59,20 @@ PenetrationMeter::PenetrationMeter(const Scene& scene, const MeasureSettings& se
   inverted_.resize(bodies_.size());
   for (const SceneTool& tool : scene.tools) {
     ToolSamples samples = makeToolSamples(scene, tool, settings.sample_spacing_m);
+    std::vector<SampleCluster> clusters = clusterSamples(samples.points_m);
     const std::size_t count = samples.points_m.size();
     const TreeBox extent = boxAround(samples.points_m);
     tools_.push_back({ToolShape(tool),
                       std::move(samples),
+                      clusters,
                       extent,
                       {},
                       {},
                       std::vector<std::uint8_t>(count, 0),
-                      std::vector<Pair>(bodies_.size(), Pair(count))});
+                      std::vector<Pair>(bodies_.size(), Pair(count, clusters.size()))});
   }
   crossings_.reserve(64);
+  near_.reserve(kMostNear + 1);
 }
 
 long long PenetrationMeter::sampleCount() const {
@@ -104,23 +106,11 @@ bool PenetrationMeter::isMeasurable(const State& state) const {
          });
 }
 
-// The way of a point is convex over a rigid body: longest at a corner of a box around it.
-double PenetrationMeter::longestWay_m(const Tool& tool) {
-  double way_m = 0;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 point((corner & 1 ? tool.extent.high : tool.extent.low).x(),
-                     (corner & 2 ? tool.extent.high : tool.extent.low).y(),
-                     (corner & 4 ? tool.extent.high : tool.extent.low).z());
-    way_m = std::max(way_m, (tool.now.of(point) - tool.before.of(point)).norm());
-  }
-  return way_m;
-}
-
 void PenetrationMeter::moveTo(const State& state) {
   for (Body& body : bodies_) {
     body.surface.update(verticesOf(body, state));
     if (!connected_) body.surface.forgetMotion();
-    body.way_m = fissure::longestWay_m(body.surface);
+    body.way_m = longestWay_m(body.surface);
   }
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     Tool& tool = tools_[t];
@@ -129,11 +119,18 @@ void PenetrationMeter::moveTo(const State& state) {
     tool.now = {SurfaceTree::frame() * pose.orientation.toRotationMatrix(),
                 SurfaceTree::toTree(pose.position_m)};
     if (connected_) {
-      const double way_m = longestWay_m(tool);
+      const double way_m = longestWay_m(tool.extent, tool.before, tool.now);
       for (std::size_t b = 0; b < bodies_.size(); ++b) {
+        Pair& pair = tool.pairs[b];
         const double both_m = way_m + bodies_[b].way_m;
-        tool.pairs[b].clearances.move(both_m);
-        tool.pairs[b].horizon_m = std::clamp(16 * both_m, kShortestLook_m, kStandOffLimit_m);
+        pair.way_m = both_m;
+        // Seen from a tool that turns further, a straight path in the scene is no short one.
+        if (turnIsAcute(tool.before, tool.now))
+          pair.way_m = std::min(
+              both_m, nearWay_m(tool.extent, tool.before, tool.now, bodies_[b].surface, kReach_m + both_m));
+        pair.clearances.move(pair.way_m, both_m);
+        pair.of_clusters.move(pair.way_m, both_m);
+        pair.horizon_m = std::clamp(16 * pair.way_m, kShortestLook_m, kStandOffLimit_m);
       }
       continue;
     }
@@ -141,6 +138,8 @@ void PenetrationMeter::moveTo(const State& state) {
     for (Pair& pair : tool.pairs) {
       pair.passage.restart();
       pair.clearances.forget();
+      pair.of_clusters.forget();
+      pair.is_followed = false;
     }
   }
   connected_ = true;
@@ -159,26 +158,65 @@ double PenetrationMeter::look(Tool& tool, std::size_t body_index, std::size_t sa
   const double found_m = distance_m(bodies_[body_index].surface, tool.sampleNow(sample), search);
   Clearances& clearances = tool.pairs[body_index].clearances;
   if (found_m > search.enough_m)
-    clearances.noteAtLeast(sample, std::min(found_m, search.limit_m) - slack_m(body_index));
+    clearances.noteAtLeast(sample, std::min({found_m, search.limit_m, kReach_m}) - slack_m(body_index));
   if (found_m < search.limit_m) clearances.noteAtMost(sample, found_m + slack_m(body_index));
   ++searches_;
   return found_m;
 }
 
+// Whether all samples of a cluster are surely farther from the surface than a distance. Of a cluster of which
+// that is not known, its box is looked at, and near_ becomes the triangles that samples may be nearer to than
+// `near_m`.
+bool PenetrationMeter::areFartherThan(Tool& tool, std::size_t body_index, std::size_t cluster,
+                                      double distance_m, double near_m) {
+  Pair& pair = tool.pairs[body_index];
+  if (pair.of_clusters.atLeast_m(cluster) > distance_m) return true;
+  const double slack = slack_m(body_index);
+  near_.clear();
+  if (std::max(distance_m, near_m) + slack >= kReach_m) return false;
+  ++searches_;
+  const double bound_m =
+      distanceBound_m(bodies_[body_index].surface, tool.boxNow(tool.clusters[cluster]),
+                      std::min(distance_m + slack + pair.horizon_m, kReach_m), near_m + slack, near_);
+  pair.of_clusters.noteAtLeast(cluster, bound_m - slack);
+  return bound_m - slack > distance_m;
+}
+
+// How many samples of a cluster may be nearer to the surface than a distance, or on it.
+std::size_t PenetrationMeter::countWithin(const Tool& tool, const Pair& pair, std::size_t cluster,
+                                          double distance_m) {
+  const auto may_be = [&](double at_least_m) { return at_least_m < distance_m || !(at_least_m > 0); };
+  if (!may_be(pair.of_clusters.atLeast_m(cluster))) return 0;
+  const SampleCluster& samples = tool.clusters[cluster];
+  std::size_t count = 0;
+  for (std::size_t i = samples.first; i < samples.first + samples.count; ++i)
+    count += may_be(pair.clearances.atLeast_m(i));
+  return count;
+}
+
 // Where a sample may have met the surface since the last look. Elsewhere it crossed nothing and is inside as
 // before.
 void PenetrationMeter::follow(Tool& tool, std::size_t body_index) {
-  const Body& body = bodies_[body_index];
-  const SurfaceTree& surface = body.surface;
+  const SurfaceTree& surface = bodies_[body_index].surface;
   Pair& pair = tool.pairs[body_index];
-  for (std::size_t i = 0; i < pair.winding.size(); ++i) {
-    if (pair.clearances.atLeast_m(i) > 0) continue;
+  const auto followSample = [&](std::size_t i) {
     const Vec3 now = tool.sampleNow(i);
     pair.winding[i] = static_cast<std::int8_t>(std::clamp(windingNumber(surface, now), -100, 100));
     crossing_tests_ += static_cast<long long>(findCrossings(surface, tool.sampleBefore(i), now, crossings_));
     if (pair.passage.advance(i, crossings_, pair.isInside(i))) tool.passed[i] = 1;
     look(tool, body_index, i, {.limit_m = pair.horizon_m});
+  };
+  for (std::size_t c = 0; c < tool.clusters.size(); ++c) {
+    const std::size_t in_question = countWithin(tool, pair, c, 0);
+    if (in_question == 0) continue;
+    if (pair.is_followed && in_question > kFewSamples &&
+        areFartherThan(tool, body_index, c, pair.way_m, kNowhere_m))
+      continue;
+    const SampleCluster& samples = tool.clusters[c];
+    for (std::size_t i = samples.first; i < samples.first + samples.count; ++i)
+      if (!(pair.clearances.atLeast_m(i) > 0)) followSample(i);
   }
+  pair.is_followed = true;
 }
 
 // A little less than enough for a sample not to be the deepest: it then need not be looked at in the next
@@ -246,6 +284,15 @@ double PenetrationMeter::vertexDepth_m(const State& state) const {
   return depth;
 }
 
+// The distance from the nearest of the triangles of near_.
+double PenetrationMeter::nearDistance_m(const SurfaceTree& surface, const Vec3& sample) {
+  ++searches_;
+  double squared = std::numeric_limits<double>::infinity();
+  for (const std::size_t triangle : near_)
+    squared = std::min(squared, distanceSquared(surface.triangles()[triangle], sample));
+  return std::sqrt(squared);
+}
+
 double PenetrationMeter::standOff_m(const State& state) {
   double nearest = kStandOffLimit_m;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
@@ -262,8 +309,27 @@ double PenetrationMeter::standOff_m(const State& state) {
         pair.nearest = i;
       };
       approach(pair.nearest);
-      for (std::size_t i = 0; i < pair.winding.size(); ++i)
-        if (pair.clearances.atLeast_m(i) < nearest) approach(i);
+      for (std::size_t c = 0; c < tool.clusters.size(); ++c) {
+        const std::size_t in_question = countWithin(tool, pair, c, nearest);
+        if (in_question == 0) continue;
+        const bool are_few = in_question <= kFewSamples;
+        const double near_m = nearest + 2 * pair.way_m;  // so that bounds of samples last for a step or two
+        if (!are_few && areFartherThan(tool, b, c, nearest, near_m)) continue;
+        const bool are_listed = !are_few && !near_.empty() && near_.size() <= kMostNear;
+        const SampleCluster& samples = tool.clusters[c];
+        for (std::size_t i = samples.first; i < samples.first + samples.count; ++i) {
+          if (!(pair.clearances.atLeast_m(i) < nearest)) continue;
+          if (!are_listed) {
+            approach(i);
+            continue;
+          }
+          const double found = nearDistance_m(bodies_[b].surface, tool.sampleNow(i));
+          pair.clearances.noteAtLeast(i, std::min(found - slack_m(b), near_m));
+          if (!(found < nearest)) continue;
+          nearest = found;
+          pair.nearest = i;
+        }
+      }
     }
   }
   return nearest < kStandOffLimit_m ? std::max(nearest, 0.0) : kNaN;
@@ -283,7 +349,7 @@ Penetration PenetrationMeter::measure(const State& state) {
     }
     result.stand_off_m = result.depth_m > 0 ? kNaN : standOff_m(state);
     for (std::size_t b = 0; b < bodies_.size(); ++b)
-      inverted_[b] = countInvertedTriangles(bodies_[b].surface, bodies_[b].buried);
+      inverted_[b] = countInvertedTriangles(bodies_[b].surface, bodies_[b].buried, &bodies_[b].seen_from);
     result.inversion_aware_m = inversionAwareDepth_m(result.depth_m);
   } else {
     connected_ = false;

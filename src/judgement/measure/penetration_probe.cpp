@@ -13,7 +13,7 @@ namespace {
 
 /// Series penetration_depth, inversion_aware_depth, passed_through, inverted_triangles, stand_off; their
 /// worst and last values as scalars. Scalars contact_steps and untouched_tools (Touch), sample_coverage_m and
-/// those of Soundness.
+/// those of Soundness; steps_per_measurement where it is not 1.
 class PenetrationProbe : public Probe {
  public:
   /// Throws InputError as PenetrationMeter does.
@@ -28,6 +28,7 @@ class PenetrationProbe : public Probe {
   std::string untouchedTools() const;
 
   PenetrationMeter meter_;
+  int every_ = 1;  ///< steps between two samples
   Touch touch_;
   Soundness soundness_;
   std::vector<Soundness::BodyStep> body_steps_;
@@ -46,7 +47,11 @@ class PenetrationProbe : public Probe {
 }  // namespace
 
 PenetrationProbe::PenetrationProbe(const Scene& scene, const MeasureSettings& settings)
-    : meter_(scene, settings), touch_(scene), soundness_(scene), body_steps_(scene.bodies.size()) {
+    : meter_(scene, settings),
+      every_(stepsPerMeasurement(settings)),
+      touch_(scene),
+      soundness_(scene),
+      body_steps_(scene.bodies.size()) {
   for (const SceneTool& tool : scene.tools)
     if (!tool.closed) not_measured_ += (not_measured_.empty() ? "" : ", ") + tool.name;
   if (!not_measured_.empty())
@@ -119,6 +124,7 @@ void PenetrationProbe::summarize(Summary& summary) const {
   summary.push_back({"tool_samples", meter_.sampleCount()});
   summary.push_back({"sample_coverage_m", meter_.coverage_m()});
   summary.push_back(countOrMissing("contact_steps", sampled_, touch_.steps()));
+  if (every_ > 1) summary.push_back({"steps_per_measurement", static_cast<long long>(every_)});
   if (const std::string untouched = sampled_ ? untouchedTools() : ""; !untouched.empty())
     summary.push_back({"untouched_tools", untouched});
   soundness_.summarize(summary);

@@ -8,30 +8,33 @@
 
 namespace fissure {
 
-// One a probe; the series of each and their meaning stand at its class.
+// One maker per probe. The series of each probe, and their meaning, are documented at its class.
 
-/// How deep tools are in tissue, and what passed through.
+/// Depth of tools in tissue, and samples that passed through.
 std::unique_ptr<Probe> makePenetrationProbe(const Scene& scene, const MeasureSettings& settings);
 
-/// How deep tissue stands below the scene's ground, and what that bears.
+/// The probe, but looking at each `every`-th state and the last only.
+std::unique_ptr<Probe> makeThinnedProbe(std::unique_ptr<Probe> probe, int every);
+
+/// Depth of tissue below the ground, and the reaction of the ground.
 std::unique_ptr<Probe> makeGroundProbe(const Scene& scene);
 
-/// Whether tissue is sound by itself, in a scene without tools.
+/// Soundness of tissue in a scene without tools (Soundness).
 std::unique_ptr<Probe> makeSoundnessProbe(const Scene& scene);
 
-/// Which steps are proved free of overlap.
+/// The certificate of each step (Certifier).
 std::unique_ptr<Probe> makeCertificateProbe(const Scene& scene);
 
-/// Where the tools are and how fast they move.
+/// Poses and velocities of the tools.
 std::unique_ptr<Probe> makeToolProbe(const Scene& scene, double step_s);
 
-/// What nodes and contacts did, and the reaction.
+/// States of nodes, counts of contacts, and the reaction.
 std::unique_ptr<Probe> makeContactProbe(const Scene& scene);
 
-/// How far coupled tools stay behind the hand, and with what force.
+/// Distances of coupled tools from the hand, and forces of the couplings.
 std::unique_ptr<Probe> makeCouplingProbe(const Scenario& scenario);
 
-/// What the force laws say.
+/// Forces of the force laws.
 std::unique_ptr<Probe> makeForceProbe(const Scenario& scenario, const Scene& scene);
 
 /// Openings of clamps and the forces on them.
@@ -40,13 +43,13 @@ std::unique_ptr<Probe> makeClampProbe(const Scenario& scenario, const Scene& sce
 /// Volume, energy and inversion of the tissue.
 std::unique_ptr<Probe> makeBodyProbe(const Scene& scene);
 
-/// Where the energy of an elastic body goes, and what its elements do.
+/// Energies, substeps and inverted elements of an elastic body.
 std::unique_ptr<Probe> makeElasticProbe();
 
 /// Mean displacements of the gauges.
 std::unique_ptr<Probe> makeGaugeProbe(const Scene& scene);
 
-/// What a step costs.
+/// Wall times of steps.
 std::unique_ptr<Probe> makeTimingProbe(double step_s);
 
 }  // namespace fissure

@@ -10,8 +10,9 @@ namespace fissure {
 std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const Scene& scene) {
   std::vector<std::unique_ptr<Probe>> probes;
   if (!scene.tools.empty()) {
-    probes.push_back(makePenetrationProbe(scene, scenario.measure));
-    if (scenario.measure.certify) probes.push_back(makeCertificateProbe(scene));
+    const int every = stepsPerMeasurement(scenario.measure);
+    probes.push_back(makeThinnedProbe(makePenetrationProbe(scene, scenario.measure), every));
+    if (scenario.measure.certify) probes.push_back(makeThinnedProbe(makeCertificateProbe(scene), every));
     probes.push_back(makeToolProbe(scene, scenario.time.step_s));
     probes.push_back(makeContactProbe(scene));
   } else {

@@ -9,8 +9,8 @@
 
 namespace fissure {
 
-/// The probes that this run needs, in the order of their series in the record. The same code for every
-/// pipeline: whether it has tool nodes is in the scene, and nothing else may differ.
+/// The probes that a run needs, in the order of their series in the record. They do not depend on the
+/// pipeline, except on whether the scene has tool nodes.
 std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const Scene& scene);
 
 }  // namespace fissure

@@ -1,7 +1,7 @@
 #include "measure/soundness.h"
 
-#include <array>
-#include <cstdio>
+#include <fmt/core.h>
+
 #include <span>
 
 #include "measure/statistics.h"
@@ -19,12 +19,6 @@ double extent_m(std::span<const Vec3> points_m) {
   return (high - low).maxCoeff();
 }
 
-std::string formatted(const char* pattern, double one, double other) {
-  std::array<char, 128> text = {};
-  std::snprintf(text.data(), text.size(), pattern, one, other);
-  return text.data();
-}
-
 }  // namespace
 
 Soundness::Soundness(const Scene& scene) {
@@ -36,14 +30,14 @@ Soundness::Soundness(const Scene& scene) {
 std::string Soundness::problemOf(const Body& body, const BodyStep& step, const State& state) const {
   const double inverted = static_cast<double>(step.inverted), all = static_cast<double>(body.triangles);
   if (!step.touched && inverted > all / 2)
-    return body.name + formatted(" is inside out: %.0f %% of its triangles, while no tool touches it",
-                                 100 * inverted / all, 0);
+    return fmt::format("{} is inside out: {:.0f} % of its triangles, while no tool touches it", body.name,
+                       100 * inverted / all);
   if (!step.touched && !step.touched_before && step.inverted > 0)
-    return body.name +
-           formatted(" has %.0f of %.0f triangles inverted before any tool touched it", inverted, all);
+    return fmt::format("{} has {} of {} triangles inverted before any tool touched it", body.name,
+                       step.inverted, body.triangles);
   const double now_m = extent_m(std::span(state.positions_m).subspan(body.first_vertex, body.vertex_count));
   if (now_m > kExplodedExtent * body.extent_m)
-    return body.name + formatted(" explodes: %.3g m long, %.3g m at rest", now_m, body.extent_m);
+    return fmt::format("{} explodes: {:.3g} m long, {:.3g} m at rest", body.name, now_m, body.extent_m);
   return "";
 }
 

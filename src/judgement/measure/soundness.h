@@ -10,7 +10,8 @@
 
 namespace fissure {
 
-/// Looks for tissue that is unsound by itself, without a tool's doing. A step is unsound when
+/// Finds steps in which tissue is unsound for other reasons than a tool (measure/METHOD.md 2). A step is
+/// unsound when
 ///   a body that no tool has met yet has inverted triangles,
 ///   more than half of a body's triangles are inverted while no tool meets it, or
 ///   a body is kExplodedExtent times as long as at rest, whoever pulls.
@@ -18,16 +19,16 @@ class Soundness {
  public:
   explicit Soundness(const Scene& scene);
 
-  /// What a step knows of a body.
+  /// The state of a body in one step.
   struct BodyStep {
     long long inverted = 0;       ///< triangles that do not bound it from outside
-    bool touched = false;         ///< a tool meets it in this step
-    bool touched_before = false;  ///< or has met it in one before
+    bool touched = false;         ///< a tool touches it in this step
+    bool touched_before = false;  ///< a tool touches it now or has touched it before
   };
-  /// The next step; finite positions, `bodies` in the scene's order.
+  /// Takes the next step. Positions must be finite; `bodies` are in the scene's order.
   void add(const State& state, const std::vector<BodyStep>& bodies);
-  /// Scalars unsound_steps and, where there are any, first_unsound_step and unsound_tissue: the body, and
-  /// what is wrong with it.
+  /// Appends unsound_steps and, where there are any, first_unsound_step and unsound_tissue, a text with the
+  /// body and its problem.
   void summarize(Summary& summary) const;
 
  private:
@@ -35,7 +36,7 @@ class Soundness {
     std::string name;
     std::size_t first_vertex = 0, vertex_count = 0;
     long long triangles = 0;
-    double extent_m = 0;  // at rest
+    double extent_m = 0;  // longest side of the bounding box at rest
   };
   std::string problemOf(const Body& body, const BodyStep& step, const State& state) const;
 
@@ -46,7 +47,7 @@ class Soundness {
   std::string first_problem_;
 };
 
-/// Longest side of a body's bounding box over that at rest, from which on it has exploded.
+/// Ratio of the longest side of a body's bounding box to that at rest, from which on it counts as exploded.
 inline constexpr double kExplodedExtent = 3;
 
 }  // namespace fissure

@@ -10,6 +10,7 @@
 
 namespace fissure {
 
+/// A missing value.
 inline constexpr double kMissing = std::numeric_limits<double>::quiet_NaN();
 
 /// The axis "xyz" of vectors.
@@ -18,11 +19,11 @@ RecordAxis xyzAxis();
 /// Writes x, y, z into three columns of a row.
 void writeVector(const Vec3& vector, std::size_t first_column, RecordRow& row);
 
-/// A count as a scalar of the summary; NaN while nothing was counted, which is not the same as zero.
+/// A count as a scalar of the summary; NaN, not 0, when nothing was counted.
 SummaryValue countOrMissing(const std::string& name, bool counted, long long count);
 
-/// Largest value of a series. NaN before the first value, and for good after any NaN: a run with an unknown
-/// in it has no known maximum.
+/// Running maximum of a series. NaN before the first value, and always after any NaN, because the maximum is
+/// then unknown.
 class RunningMax {
  public:
   void add(double value);
@@ -34,13 +35,13 @@ class RunningMax {
 };
 
 /// Roughness of an evenly sampled series: RMS of its second difference f[i-1] - 2 f[i] + f[i+1] over its own
-/// RMS (METHOD section 4). Both means are over all values there are; NaN with fewer than three, for a series
-/// that is 0 throughout, and after any NaN.
+/// RMS (measure/METHOD.md 5). Both means are over all available values. NaN with fewer than three values, for
+/// a series of zeros, and after any NaN.
 class Roughness {
  public:
   void add(double value);
   double value() const { return of({this, 1}); }
-  /// The roughness of several series of the same length taken together: both means are over all their values.
+  /// The joint roughness of several series of the same length: both means are over all their values.
   static double of(std::span<const Roughness> series);
 
  private:
@@ -51,7 +52,8 @@ class Roughness {
   long long count_ = 0;
 };
 
-/// The smallest of `values` that at least `percent` of them do not exceed (nearest rank); NaN for none.
+/// The percentile by nearest rank: the smallest of `values` that at least `percent` per cent of them do not
+/// exceed; NaN without values.
 double percentile(std::vector<double> values, double percent);
 
 }  // namespace fissure

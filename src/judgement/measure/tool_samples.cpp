@@ -1,5 +1,7 @@
 #include "measure/tool_samples.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -185,8 +187,9 @@ double defaultSpacing_m(const Scene& scene, const SceneTool& tool) {
 ToolSamples makeToolSamples(const Scene& scene, const SceneTool& tool, std::optional<double> spacing_m) {
   const double limit = static_cast<double>(kStatedSampleLimit);
   if (spacing_m && countSamples(tool, *spacing_m, limit) > limit) {
-    throw InputError("measure.sample_spacing_m: too fine for tool '" + tool.name + "', expected at most " +
-                     std::to_string(kStatedSampleLimit) + " samples");
+    throw InputError(
+        fmt::format("measure.sample_spacing_m: too fine for tool '{}', expected at most {} samples",
+                    tool.name, kStatedSampleLimit));
   }
   const double spacing = spacing_m ? *spacing_m : defaultSpacing_m(scene, tool);
   ToolSamples samples;

@@ -7,14 +7,14 @@
 
 namespace fissure {
 
-/// A tool as a solid: how deep inside it, or how far outside, a point is. A tool whose surface is open has no
-/// inside: every point is outside of it.
+/// A tool as a solid with a signed distance. A tool with an open surface has no inside: every point is
+/// outside of it.
 class ToolShape {
  public:
   explicit ToolShape(const SceneTool& tool);
 
-  /// Distance to the tool's surface, metres, for a point in the tool's frame: negative inside, exact on both
-  /// sides. Outside, distances beyond `limit_m` may be given as infinity.
+  /// Signed distance of a point (tool frame) from the tool's surface, metres: negative inside, exact on both
+  /// sides. Outside, distances beyond `limit_m` may be returned as infinity.
   double signedDistance_m(const Vec3& in_tool, double limit_m) const;
 
  private:

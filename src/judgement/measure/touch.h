@@ -11,20 +11,20 @@
 
 namespace fissure {
 
-/// Which tools and bodies have met since the start: by a contact that the engine reports, or by a tool that
-/// is in tissue without one.
+/// Records which tools and bodies have touched since the start: by a contact that the engine reports, or by a
+/// tool that is in tissue without one.
 class Touch {
  public:
   explicit Touch(const Scene& scene);
 
-  /// The next step; `found` is what `meter` measured in it.
+  /// Takes the next step; `found` is the measurement of `meter` in it.
   void add(const State& state, const PenetrationMeter& meter, const Penetration& found);
 
-  long long steps() const { return steps_; }  ///< in which any tool met tissue
-  /// Whether a tool meets the body in the last step, and whether one has met it up to now.
+  long long steps() const { return steps_; }  ///< number of steps in which any tool touched tissue
+  /// Whether a tool touches the body in the last step, and whether any has touched it so far.
   bool isTouched(std::size_t body) const { return bodies_[body].now; }
   bool wasTouched(std::size_t body) const { return bodies_[body].ever; }
-  /// Names of the tools that have met no tissue, in the scene's order.
+  /// Names of the tools that have never touched tissue, in the scene's order.
   std::vector<std::string> untouchedTools() const;
 
  private:

@@ -1,8 +1,8 @@
 #include "measure/verdict.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 #include <optional>
 
 #include "measure/node_spacing.h"
@@ -25,12 +25,6 @@ std::string textIn(const Summary& summary, const char* name) {
     if (value.name == name && std::holds_alternative<std::string>(value.value))
       return std::get<std::string>(value.value);
   return "";
-}
-
-std::string formatted(const char* pattern, double one, double other = 0) {
-  std::array<char, 256> text = {};
-  std::snprintf(text.data(), text.size(), pattern, one, other);
-  return text.data();
 }
 
 /// The depth with inverted tissue, where the result has it: an older one has the plain depth alone.
@@ -59,11 +53,14 @@ Verdict verdictOf(const Summary& summary) {
   else if (std::isnan(*depth_m))
     add(VerdictGrade::failed, "depth unknown", verdict);
   else if (*depth_m > kHeldDepth_m)
-    add(VerdictGrade::failed, formatted("%.2f mm inside", 1e3 * *depth_m), verdict);
+    add(VerdictGrade::failed, fmt::format("{:.2f} mm inside", 1e3 * *depth_m), verdict);
   else if (numberIn(summary, "contact_steps").value_or(1) == 0)
     add(VerdictGrade::doubtful, "never touched tissue", verdict);
+  else if (numberIn(summary, "contacts_total").value_or(1) == 0)
+    add(VerdictGrade::doubtful, "beside tissue, no contact", verdict);
   else if (!passed && !inverted && !unsound)
-    add(VerdictGrade::held, formatted(*depth_m > 0 ? "held to %.2f mm" : "held", 1e3 * *depth_m), verdict);
+    add(VerdictGrade::held, *depth_m > 0 ? fmt::format("held to {:.2f} mm", 1e3 * *depth_m) : "held",
+        verdict);
   if (passed) add(VerdictGrade::failed, "passed through", verdict);
   if (inverted) add(VerdictGrade::failed, "inverted", verdict);
   if (unsound) add(VerdictGrade::failed, "unsound tissue", verdict);
@@ -72,53 +69,63 @@ Verdict verdictOf(const Summary& summary) {
     add(VerdictGrade::doubtful, tools + " never touched tissue", verdict);
   const auto steps = numberIn(summary, "uncertified_steps");
   if (steps.value_or(0) > 0 && verdict.grade != VerdictGrade::failed)
-    add(VerdictGrade::doubtful, formatted("%.0f steps not proved", *steps), verdict);
-  if (steps && *steps == 0 && depth_m && verdict.grade == VerdictGrade::held)
+    add(VerdictGrade::doubtful, fmt::format("{:.0f} steps not proved", *steps), verdict);
+  const bool in_each_step = numberIn(summary, "steps_per_measurement").value_or(1) == 1;
+  if (steps && *steps == 0 && in_each_step && depth_m && verdict.grade == VerdictGrade::held)
     add(VerdictGrade::held, "proved", verdict);
   if (const double ground_m = numberIn(summary, "max_ground_depth_m").value_or(0); ground_m > kHeldDepth_m)
-    add(VerdictGrade::doubtful, formatted("%.2f mm below ground", 1e3 * ground_m), verdict);
+    add(VerdictGrade::doubtful, fmt::format("{:.2f} mm below ground", 1e3 * ground_m), verdict);
   return verdict;
 }
 
 std::vector<Remark> remarksOf(const Summary& summary) {
   std::vector<Remark> remarks;
   if (const std::string problem = textIn(summary, "unsound_tissue"); !problem.empty())
-    remarks.push_back({true, "unsound tissue, first in step " +
-                                 formatted("%.0f: ", numberIn(summary, "first_unsound_step").value_or(0)) +
-                                 problem});
+    remarks.push_back({true, fmt::format("unsound tissue, first in step {:.0f}: {}",
+                                         numberIn(summary, "first_unsound_step").value_or(0), problem)});
   if (const std::string what = textIn(summary, "first_uncertified"); !what.empty())
-    remarks.push_back(
-        {false, "overlap is not excluded, first in step " +
-                    formatted("%.0f: ", numberIn(summary, "first_uncertified_step").value_or(0)) + what});
+    remarks.push_back({false, fmt::format("overlap is not excluded, first in step {:.0f}: {}",
+                                          numberIn(summary, "first_uncertified_step").value_or(0), what)});
   if (const std::string what = textIn(summary, "not_measured"); !what.empty())
     remarks.push_back({false, "not measured: " + what});
+  if (const double every = numberIn(summary, "steps_per_measurement").value_or(1); every > 1)
+    remarks.push_back({true, fmt::format("depth, contact and proof of one step in {:.0f} only "
+                                         "(measure.every): what came in between was not seen",
+                                         every)});
   if (const std::string tools = textIn(summary, "untouched_tools"); !tools.empty())
     remarks.push_back({true, "never touched tissue: " + tools});
   const double coverage_m = numberIn(summary, "sample_coverage_m").value_or(0);
   const bool proved =
       numberIn(summary, "uncertified_steps").value_or(1) == 0;  // nothing hides between samples
   if (const auto depth_m = worstDepth_m(summary); !proved && depth_m && coverage_m > *depth_m)
-    remarks.push_back({coverage_m > 2 * kHeldDepth_m,
-                       formatted("samples see depths to within %.2f mm: that much more may hide between them "
-                                 "(measure.sample_spacing_m)",
-                                 1e3 * coverage_m)});
+    remarks.push_back(
+        {coverage_m > 2 * kHeldDepth_m,
+         fmt::format("samples see depths to within {:.2f} mm: that much more may hide between them "
+                     "(measure.sample_spacing_m)",
+                     1e3 * coverage_m)});
   if (const double ratio = numberIn(summary, "node_spacing_over_edge").value_or(0); ratio > kWideNodes)
     remarks.push_back({true, wideNodesText(numberIn(summary, "node_spacing_m").value_or(0), ratio)});
   if (const double steps = numberIn(summary, "oblique_steps").value_or(0); steps > 0)
     remarks.push_back(
-        {true, formatted("narrow_rows: in %.0f steps a blade moves obliquely to its faces, where "
-                         "nodes on narrow ones tear tissue (compare with narrow_rows: 0)",
-                         steps)});
+        {true, fmt::format("narrow_rows: in {:.0f} steps a blade moves obliquely to its faces, where "
+                           "nodes on narrow ones tear tissue (compare with narrow_rows: 0)",
+                           steps)});
   if (const double steps = numberIn(summary, "truncated_steps").value_or(0); steps > 0)
-    remarks.push_back({false, formatted("in %.0f steps tissue that contacts did not hold was "
-                                        "stopped on its way (%.0f vertices)",
-                                        steps, numberIn(summary, "truncated_vertices").value_or(0))});
+    remarks.push_back({false, fmt::format("in {:.0f} steps tissue that contacts did not hold was "
+                                          "stopped on its way ({:.0f} vertices)",
+                                          steps, numberIn(summary, "truncated_vertices").value_or(0))});
   if (const double steps = numberIn(summary, "no_room_steps").value_or(0); steps > 0)
     remarks.push_back(
-        {true, formatted("after %.0f steps there was no room for tissue, which may overlap a tool", steps)});
+        {true,
+         fmt::format("after {:.0f} steps there was no room for tissue, which may overlap a tool", steps)});
   if (const double steps = numberIn(summary, "freeing_steps").value_or(0); steps > 0)
     remarks.push_back(
-        {true, formatted("in %.0f steps a tool that stood in tissue was on its way out", steps)});
+        {true, fmt::format("in {:.0f} steps a tool that stood in tissue was on its way out", steps)});
+  if (const std::string laws = textIn(summary, "laws_of_whole_probes"); !laws.empty())
+    remarks.push_back(
+        {true, fmt::format("force of {}: fitted to a whole probe, here summed over triangles; its exponent "
+                           "is the tissue's, its newtons are not",
+                           laws)});
   return remarks;
 }
 

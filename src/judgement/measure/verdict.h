@@ -8,40 +8,41 @@
 
 namespace fissure {
 
-/// Up to this depth a tool counts as held outside of the tissue, metres.
+/// The largest depth, metres, at which a tool counts as held outside of the tissue.
 inline constexpr double kHeldDepth_m = 0.0005;
 
-/// How far a reader may trust what a run shows.
+/// The grade of a run's verdict (measure/METHOD.md 7).
 enum class VerdictGrade {
-  held,      ///< nothing was found against it
-  doubtful,  ///< the tool held, but something else gave way, or nothing was tried
-  failed,    ///< the tool went in, or tissue is no tissue any more
+  held,      ///< no problem was found
+  doubtful,  ///< the tool was held out, but something else failed, or nothing touched
+  failed,    ///< the tool went in, or the tissue is unsound
 };
 
-/// What the measures of a run say, in words: "held to 0.06 mm", "held, proved" where every step is certified,
-/// "12.05 mm inside, inverted".
+/// The verdict on a run in words: "held to 0.06 mm", "held, proved" where every step is certified, "12.05 mm
+/// inside, inverted".
 struct Verdict {
   VerdictGrade grade = VerdictGrade::held;
   std::string text;  ///< "-" where no tool was measured
 };
 
+/// The verdict that follows from a run's summary.
 Verdict verdictOf(const Summary& summary);
 
-/// What must be known beside a run's numbers, one line.
+/// A caveat about a run's numbers, in one line.
 struct Remark {
   bool serious = false;
   std::string text;
 };
 
-/// What was not measured, unsound tissue, the first step that is not certified, tools that met no tissue,
-/// samples coarser than the depth claimed, nodes too wide apart for the tissue, narrow rows that were dragged
-/// obliquely.
+/// The caveats of a run: missing and thinned measurements, unsound tissue, the first step that is not
+/// certified, tools that touched no tissue, samples coarser than the claimed depth, nodes too far apart for
+/// the tissue, narrow rows that were moved obliquely, laws whose newtons are those of a whole probe.
 std::vector<Remark> remarksOf(const Summary& summary);
 
-/// What a reaction is worth, where the run has one; else empty.
+/// A line on the meaning of the run's reaction (measure/METHOD.md 6); empty where there is none.
 std::string reactionNote(const Summary& summary);
 
-/// How a run ended, for people: "finished" for ok, which says nothing about its numbers.
+/// The end of a run for people: "finished" for ok, which is no statement about its numbers.
 std::string endText(RunEnd end);
 
 }  // namespace fissure

@@ -13,9 +13,9 @@ struct MovingPoint {
   Vec3 end = Vec3::Zero();
 };
 
-/// Conservative continuous collision detection between two moving convex pieces, each the convex hull of one
-/// to four moving points: vertex against triangle (1 and 3 points), edge against edge (2 and 2), triangle
-/// against triangle (3 and 3).
+/// Conservative continuous collision detection between two moving convex pieces (measure/METHOD.md 3), each
+/// the convex hull of one to four moving points: vertex against triangle (1 and 3 points), edge against edge
+/// (2 and 2), triangle against triangle (3 and 3).
 ///
 /// No value: it is proved that the pieces stay farther apart than `separation_m` (>= 0) throughout the step.
 /// A value in [0, 1]: they are proved farther apart before that share of the step; then they may meet. No
@@ -24,9 +24,9 @@ struct MovingPoint {
 /// pieces nearer than about 1e-14 of their size and relative motion, parts of the step below 1e-10 of it,
 /// pairs that need more than kMostSeparationTests planes, and coordinates that are not finite.
 ///
-/// At one time, the points by which a piece's points differ from the other's span the pieces' Minkowski
-/// difference, and between two times every difference of points on straight paths lies in the convex hull of
-/// those at both. The step is halved until each such hull leaves out the origin.
+/// At any time the differences between the points of the two pieces span the pieces' Minkowski difference.
+/// Between two times every such difference lies in the convex hull of the differences at both, because paths
+/// are straight. The step is halved until each of these hulls excludes the origin.
 std::optional<double> earliestMeeting(std::span<const MovingPoint> one, std::span<const MovingPoint> other,
                                       double separation_m = 0);
 

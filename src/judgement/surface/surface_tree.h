@@ -26,41 +26,43 @@ struct TreeBox {
   }
 };
 
-/// Nodes are stored depth first: an inner node's children are the next node and that one's `skip`.
+/// A node of the tree. Nodes are stored depth first: the children of an inner node are the next node and the
+/// node at the next node's `skip`.
 struct TreeNode {
-  int skip = 0;   ///< the first node that is not below this one
-  int first = 0;  ///< of the triangles of a leaf
-  int count = 0;  ///< of the triangles of a leaf; 0: an inner node
+  int skip = 0;   ///< index of the first node behind the subtree of this one
+  int first = 0;  ///< leaf: of its triangles
+  int count = 0;  ///< leaf: number of its triangles; inner node: 0
 };
 
-/// A triangle surface that moves, with a hierarchy of boxes over its triangles. The hierarchy's shape is made
-/// once; a step only refits the boxes, and allocates nothing. All geometry is kept in the tree's own frame:
-/// the mesh's, turned by a fixed rotation (frame(), unless another is given) under which no direction of
-/// ordinary scenes is an axis, so that rays along its z meet no edge-on triangles of boxes and grids.
+/// A moving triangle surface with a hierarchy of bounding boxes. The topology of the hierarchy is built once;
+/// a step only refits the boxes and allocates nothing. All geometry is in the tree's own frame: that of the
+/// mesh turned by a fixed rotation (frame(), unless another is given), after which no direction of ordinary
+/// scenes is an axis, so that rays along its z meet no edge-on triangles of boxes and grids.
 class SurfaceTree {
  public:
-  /// `mesh` gives the triangles and their first positions; `faces` stay, vertices move. At least one
-  /// triangle.
+  /// `mesh` has the triangles, at least one, and the first positions of the vertices. `to_tree`: rotation
+  /// from the mesh's frame to the tree's.
   explicit SurfaceTree(const TriangleMesh& mesh, const Mat3& to_tree = frame());
 
-  /// Moves the vertices (as many as the mesh has, scene frame, metres, finite); the positions before become
-  /// previous().
+  /// Moves the vertices to these positions (as many as the mesh has, in the mesh's frame, metres, finite);
+  /// the positions before become previous().
   void update(std::span<const Vec3> vertices_m);
-  /// Makes the present positions the previous ones too: the surface has not moved.
+  /// Sets the previous positions to the present ones, as if the surface had not moved.
   void forgetMotion();
 
-  /// The rotation from the scene's frame to that of every tree that is not given another.
+  /// The default rotation from the mesh's (usually the scene's) frame to the tree's.
   static const Mat3& frame();
   static Vec3 toTree(const Vec3& in_scene) { return frame() * in_scene; }
 
   const std::vector<TreeNode>& nodes() const { return nodes_; }
-  const std::vector<TreeBox>& boxes() const { return boxes_; }  ///< of the present positions, one a node
-  const std::vector<TreeBox>& previousBoxes() const {
-    return previous_boxes_;
-  }                                                                          ///< of the previous positions
-  const std::vector<TreeTriangle>& triangles() const { return triangles_; }  ///< in the order of the leaves
+  const std::vector<TreeBox>& boxes() const { return boxes_; }  ///< [node] boxes of the present positions
+  /// [node] boxes of the previous positions.
+  const std::vector<TreeBox>& previousBoxes() const { return previous_boxes_; }
+  /// Present positions, in the order of the leaves.
+  const std::vector<TreeTriangle>& triangles() const { return triangles_; }
   const std::vector<TreeTriangle>& previous() const { return previous_; }
-  const std::vector<int>& faceIndices() const { return order_; }  ///< in the mesh, of triangles()
+  /// For each of triangles(), its face in the mesh.
+  const std::vector<int>& faceIndices() const { return order_; }
 
  private:
   void build(int first, int count, std::span<const Vec3> centroids);
@@ -68,8 +70,8 @@ class SurfaceTree {
   void refit();
 
   Mat3 to_tree_;
-  std::vector<int> order_;   // of the mesh's faces, leaf by leaf
-  std::vector<Face> faces_;  // in this order
+  std::vector<int> order_;   // indices of the mesh's faces, leaf by leaf
+  std::vector<Face> faces_;  // the faces in this order
   std::vector<Vec3> vertices_;
   std::vector<TreeTriangle> triangles_;
   std::vector<TreeTriangle> previous_;

@@ -1,6 +1,7 @@
 #include "surface/winding.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -53,16 +54,24 @@ Height heightAgainst(const TreeTriangle& t, int sign, const Vec3& point) {
   return (volume > 0) == (sign > 0) ? Height::below : Height::above;
 }
 
-/// Signed number of triangles above the point, without triangle `left_out`; none if rounding leaves one of
-/// them open.
-std::optional<int> countAbove(const SurfaceTree& tree, const Vec3& point, std::size_t left_out) {
-  int sum = 0;
+/// Of each point the signed number of triangles above it, without triangle `left_out`; no value where
+/// rounding leaves one of them open. Points that lie together are looked at together.
+template <std::size_t N>
+std::array<std::optional<int>, N> countAbove(const SurfaceTree& tree, const std::array<Vec3, N>& points,
+                                             std::size_t left_out) {
+  std::array<std::optional<int>, N> sums;
+  sums.fill(0);
+  Vec3 low = points[0], high = points[0];
+  for (const Vec3& point : points) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
   const std::size_t end = tree.nodes().size();
   for (std::size_t i = 0; i < end;) {
     const TreeNode& node = tree.nodes()[i];
     const TreeBox& box = tree.boxes()[i];
-    if (point.x() < box.low.x() || point.x() > box.high.x() || point.y() < box.low.y() ||
-        point.y() > box.high.y() || point.z() > box.high.z()) {
+    if (high.x() < box.low.x() || low.x() > box.high.x() || high.y() < box.low.y() ||
+        low.y() > box.high.y() || low.z() > box.high.z()) {
       i = static_cast<std::size_t>(node.skip);
       continue;
     }
@@ -71,15 +80,26 @@ std::optional<int> countAbove(const SurfaceTree& tree, const Vec3& point, std::s
       const std::size_t index = static_cast<std::size_t>(node.first) + k;
       if (index == left_out) continue;
       const TreeTriangle& t = tree.triangles()[index];
-      const int sign =
-          edgeToTheRight(t.a, t.b, point) + edgeToTheRight(t.b, t.c, point) + edgeToTheRight(t.c, t.a, point);
-      if (sign == 0) continue;
-      const Height height = heightAgainst(t, sign, point);
-      if (height == Height::unclear) return std::nullopt;
-      if (height == Height::below) sum += sign;
+      // An edge exactly at a point's x belongs to one of its triangles by rounding: none may be left out
+      // there.
+      if (std::max({t.a.x(), t.b.x(), t.c.x()}) < low.x() ||
+          std::max({t.a.y(), t.b.y(), t.c.y()}) < low.y() ||
+          std::min({t.a.y(), t.b.y(), t.c.y()}) > high.y() || std::max({t.a.z(), t.b.z(), t.c.z()}) < low.z())
+        continue;
+      for (std::size_t p = 0; p < N; ++p) {
+        const Vec3& point = points[p];
+        const int sign = edgeToTheRight(t.a, t.b, point) + edgeToTheRight(t.b, t.c, point) +
+                         edgeToTheRight(t.c, t.a, point);
+        if (sign == 0 || !sums[p]) continue;
+        const Height height = heightAgainst(t, sign, point);
+        if (height == Height::unclear)
+          sums[p].reset();
+        else if (height == Height::below)
+          *sums[p] += sign;
+      }
     }
   }
-  return sum;
+  return sums;
 }
 
 /// The winding number as the sum of solid angles over 4 pi (van Oosterom and Strackee 1983), without
@@ -104,53 +124,104 @@ int nearestInteger(double value) {
   return static_cast<int>(std::lround(value));
 }
 
-/// Whether the mean of the corners surely sees every triangle from beneath and is inside once. Then each ray
-/// from there meets the surface once (a map of degree 1 to the sphere around it, with no triangle reversed),
-/// and every triangle is in order.
-bool isStarShaped(const SurfaceTree& tree) {
-  Vec3 centre = Vec3::Zero();
-  for (const TreeTriangle& t : tree.triangles()) centre += (t.a + t.b + t.c) / 3.0;
-  centre /= static_cast<double>(tree.triangles().size());
-  const double extent = (tree.boxes()[0].high - tree.boxes()[0].low).maxCoeff();
+/// The mean of the corners of all triangles.
+Vec3 meanOfCorners(const SurfaceTree& tree) {
+  Vec3 sum = Vec3::Zero();
+  for (const TreeTriangle& t : tree.triangles()) sum += (t.a + t.b + t.c) / 3.0;
+  return sum / static_cast<double>(tree.triangles().size());
+}
+
+double extentOf(const SurfaceTree& tree) {
+  return (tree.boxes()[0].high - tree.boxes()[0].low).maxCoeff();
+}
+
+/// Whether the point surely sees every triangle from beneath and is inside once. Then each ray from there
+/// meets the surface once (a map of degree 1 to the sphere around it, with no triangle reversed), and every
+/// triangle is in order.
+bool seesAllFromBeneath(const SurfaceTree& tree, const Vec3& point) {
+  const double extent = extentOf(tree);
   const double surely_positive = 1e-12 * extent * extent * extent;
   for (const TreeTriangle& t : tree.triangles()) {
-    const double volume = (t.a - centre).dot((t.b - centre).cross(t.c - centre));
+    const double volume = (t.a - point).dot((t.b - point).cross(t.c - point));
     if (!(volume > surely_positive)) return false;
   }
-  return windingNumber(tree, centre) == 1;
+  return windingNumber(tree, point) == 1;
+}
+
+/// Moves `point` towards one that sees every triangle from beneath, where there is one: to the far side of
+/// the plane that it is farthest on the wrong side of, a few times (Agmon's relaxation, 1954).
+void approachStarCentre(const SurfaceTree& tree, Vec3& point) {
+  constexpr int most_moves = 16;
+  constexpr double too_far = 1.5;  // overshoot, with which the relaxation ends within the planes
+  const double margin_m = 1e-3 * extentOf(tree);  // beyond the plane
+  for (int move = 0; move < most_moves; ++move) {
+    double worst_m = margin_m / 2;
+    Vec3 outward = Vec3::Zero();
+    for (const TreeTriangle& t : tree.triangles()) {
+      const Vec3 normal = t.doubleAreaNormal();
+      const double beneath = normal.dot(t.a - point), squared = normal.squaredNorm();
+      // Roots are taken only of those that are worse than the worst so far.
+      if (worst_m >= 0 ? beneath >= 0 && beneath * beneath >= worst_m * worst_m * squared
+                       : beneath >= 0 || beneath * beneath <= worst_m * worst_m * squared)
+        continue;
+      if (!(squared > 0)) continue;
+      worst_m = beneath / std::sqrt(squared);
+      outward = normal / std::sqrt(squared);
+    }
+    if (outward.isZero(0.0)) return;
+    point += (too_far * std::min(worst_m, 0.0) - margin_m) * outward;
+  }
+}
+
+/// Whether some point sees every triangle from beneath. `seen_from` is where the search begins and becomes
+/// where it ended; NaN: it begins at the mean of the corners.
+bool isStarShaped(const SurfaceTree& tree, Vec3& seen_from) {
+  if (!seen_from.allFinite()) seen_from = meanOfCorners(tree);
+  if (seesAllFromBeneath(tree, seen_from)) return true;
+  approachStarCentre(tree, seen_from);
+  return seesAllFromBeneath(tree, seen_from);
+}
+
+/// The winding numbers just beneath places on triangle `index`, against its normal: 1 for a triangle of a
+/// proper outward surface. In the limit of no distance: no step length enters.
+template <std::size_t N>
+std::array<int, N> windingsBeneath(const SurfaceTree& tree, std::size_t index,
+                                   const std::array<Vec3, N>& places) {
+  // Beneath a triangle that faces up, the ray leaves through it; beneath one that faces down, it is behind.
+  const int own = tree.triangles()[index].doubleAreaNormal().z() > 0 ? 1 : 0;
+  const auto others = countAbove(tree, places, index);
+  std::array<int, N> windings = {};
+  for (std::size_t p = 0; p < N; ++p)
+    windings[p] =
+        others[p] ? *others[p] + own : nearestInteger(solidAngleWinding(tree, places[p], index) + 0.5);
+  return windings;
 }
 
 }  // namespace
 
 int windingNumber(const SurfaceTree& tree, const Vec3& point) {
-  if (const std::optional<int> count = countAbove(tree, point, kNoTriangle)) return *count;
+  if (const std::optional<int> count = countAbove<1>(tree, {point}, kNoTriangle)[0]) return *count;
   return nearestInteger(solidAngleWinding(tree, point, kNoTriangle));
 }
 
-int windingBeneath(const SurfaceTree& tree, std::size_t index, const Vec3& point) {
-  // Beneath a triangle that faces up, the ray leaves through it; beneath one that faces down, it is behind.
-  const int own = tree.triangles()[index].doubleAreaNormal().z() > 0 ? 1 : 0;
-  if (const std::optional<int> others = countAbove(tree, point, index)) return *others + own;
-  return nearestInteger(solidAngleWinding(tree, point, index) + 0.5);
-}
-
-int countInvertedTriangles(const SurfaceTree& tree, std::span<std::uint8_t> buried) {
+int countInvertedTriangles(const SurfaceTree& tree, std::span<std::uint8_t> buried, Vec3* seen_from) {
   std::fill(buried.begin(), buried.end(), std::uint8_t{0});
-  if (isStarShaped(tree)) return 0;
+  Vec3 from = seen_from ? *seen_from : kNowhere;
+  const bool in_order = isStarShaped(tree, from);
+  if (seen_from) *seen_from = from;
+  if (in_order) return 0;
   int count = 0;
   for (std::size_t i = 0; i < tree.triangles().size(); ++i) {
     const TreeTriangle& t = tree.triangles()[i];
     if (t.doubleAreaNormal().isZero(0.0)) continue;
     const Vec3 centroid = (t.a + t.b + t.c) / 3.0;
     const auto by = [&](const Vec3& corner) { return Vec3(corner + kFromCorner * (centroid - corner)); };
-    bool in_order = true, outside = false;  // outside: on one side of it at least
-    for (const Vec3& place : {centroid, by(t.a), by(t.b), by(t.c)}) {
-      const int beneath = windingBeneath(tree, i, place);
-      in_order = in_order && beneath == 1;
+    bool proper = true, outside = false;  // outside: on one side of it at least
+    for (const int beneath : windingsBeneath<4>(tree, i, {centroid, by(t.a), by(t.b), by(t.c)})) {
+      proper = proper && beneath == 1;
       outside = outside || beneath == 0 || beneath == 1;
-      if (!in_order && outside) break;
     }
-    if (in_order) continue;
+    if (proper) continue;
     ++count;
     if (!buried.empty()) buried[i] = outside ? 0 : 1;
   }

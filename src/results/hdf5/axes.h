@@ -7,14 +7,15 @@
 
 namespace fissure::h5 {
 
-/// Whether rows are appended along an axis of that name: "time", "snapshot_time", "frame_time".
+/// Whether an axis of this name is one along which rows are appended: "time", "snapshot_time" or
+/// "frame_time".
 bool isRowAxis(const std::string& axis);
 
-/// The axes of a dataset of a finished file, by the dimension scales attached to it; a scale has itself as
-/// axis. Throws RunError when one has no name.
+/// The names of the axes of a dataset in a finished file, from its dimension scales; the axis of a scale is
+/// the scale itself. Throws RunError when an axis has no name.
 std::vector<std::string> axisNames(hid_t dataset, const std::string& name);
 
-/// Whether an attribute belongs to the dimension scales of its dataset, and means nothing in another file.
+/// Whether an attribute belongs to the mechanism of dimension scales, and so has no meaning in another file.
 bool isScaleAttribute(const std::string& name);
 
 }  // namespace fissure::h5

@@ -11,14 +11,14 @@
 
 namespace fissure {
 
-/// One axis of a dataset; it is named after the coordinate of the same group that describes it.
+/// One axis of a dataset, with the name of the coordinate in the same group that describes it.
 struct Dimension {
   std::string name;
   hsize_t length = 0;
-  bool grows = false;  ///< starts empty; `length` is then that of one chunk
+  bool grows = false;  ///< the axis starts empty and grows; `length` is then that of one chunk
 };
 
-/// What a dataset is, for people and for netCDF readers.
+/// The description of a dataset, for people and for netCDF readers.
 struct DatasetSpec {
   std::string name;
   std::string units;
@@ -32,53 +32,54 @@ class GrowingDataset {
  public:
   GrowingDataset(h5::Id dataset, const DatasetSpec& spec, h5::Id text_type = {});
 
-  /// Puts `count` slices behind those already there. `data` holds values of the dataset's own type (double,
-  /// int64, uint8, or const char* where it is made of texts) in the dataset's own order, with `count` for the
-  /// growing axis.
+  /// Appends `count` slices along the growing axis. `data` holds values of the dataset's type (double, int64,
+  /// uint8, or const char* for texts) in the order of the dataset's axes. Throws RunError when writing fails.
   void append(const void* data, hsize_t count);
 
  private:
   h5::Id dataset_;
   std::string name_;
-  h5::Id text_type_;  // only of texts
+  h5::Id text_type_;  // only for datasets of texts
   hid_t memory_type_;
   std::size_t growing_axis_ = 0;
   std::vector<hsize_t> shape_;
 };
 
-/// A group in the making. Its datasets carry units, a long name and, in the attribute `dimensions`, the names
-/// of their axes; each axis must get a coordinate of its own in the same group. attachScales() later turns
-/// the names into dimension scales: scales attached here would not survive being copied to another file,
-/// because HDF5 1.10 does not rewrite references that are held in attributes.
+/// Fills a new group. Its datasets get units, a long name and, in the attribute `dimensions`, the names of
+/// their axes; each axis must get a coordinate in the same group. attachScales() later turns the names into
+/// dimension scales. Scales attached here would not survive being copied to another file, because HDF5 1.10
+/// does not update references that are stored in attributes.
 class GroupBuilder {
  public:
-  /// Creates the group; throws RunError.
+  /// Creates the group. Throws RunError when that fails.
   GroupBuilder(hid_t parent, const std::string& name);
-  /// Of a group that is there.
+  /// For an existing group.
   explicit GroupBuilder(h5::Id group) : group_(std::move(group)) {}
 
   const h5::Id& id() const { return group_; }
 
-  /// Coordinate of names, one an index. The same axis again must bring the same names (std::logic_error
-  /// otherwise).
+  /// Adds a coordinate with one name per index. Throws std::logic_error when the axis exists with other
+  /// names.
   void addLabels(const std::string& axis, const std::vector<std::string>& labels);
-  /// Coordinate 0 .. length - 1.
+  /// Adds a coordinate 0 .. length - 1.
   void addIndex(const std::string& axis, hsize_t length);
 
-  /// All of these throw std::logic_error when the name is taken.
+  /// Adds a dataset with one growing axis. This and the following functions throw std::logic_error when the
+  /// name is taken.
   GrowingDataset addGrowing(const DatasetSpec& spec);
-  /// Whole numbers; `spec.type` is count.
+  /// Add a complete dataset; whole numbers need `spec.type` count.
   void addFixed(const DatasetSpec& spec, const std::vector<std::int64_t>& values);
   void addFixed(const DatasetSpec& spec, const std::vector<double>& values);
   /// `spec` has the axes (n, xyz).
   void addFixed(const DatasetSpec& spec, const std::vector<Vec3>& values);
-  /// As addFixed() of whole numbers, at least one, in one chunk, shuffled and deflated.
+  /// As addFixed() for at least one whole number, stored in one chunk, shuffled and deflated.
   void addFixedPacked(const DatasetSpec& spec, const std::vector<std::int64_t>& values);
-  /// One frame a chunk, deflated; uint8.
+  /// Adds a growing dataset of uint8 pictures with one frame per chunk, deflated.
   GrowingDataset addPictures(const DatasetSpec& spec);
-  /// Numbers, a chunk shuffled and deflated.
+  /// Adds a growing dataset of numbers, shuffled and deflated.
   GrowingDataset addPacked(const DatasetSpec& spec);
-  /// Variable-length UTF-8; `spec.type` is count, which is never missing.
+  /// Adds a growing dataset of variable-length UTF-8 texts; `spec.type` must be count, as no value is ever
+  /// missing.
   GrowingDataset addTexts(const DatasetSpec& spec);
 
  private:
@@ -88,7 +89,7 @@ class GroupBuilder {
   void describe(hid_t dataset, const DatasetSpec& spec) const;
 
   h5::Id group_;
-  std::map<std::string, std::vector<std::string>> labels_;  ///< of the axes that have names
+  std::map<std::string, std::vector<std::string>> labels_;  ///< names of the axes that have them
 };
 
 /// The attribute that names a dataset's axes until attachScales() replaces it.

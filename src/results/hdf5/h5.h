@@ -40,7 +40,7 @@ class Id {
 
   operator hid_t() const { return id_; }
   bool valid() const { return id_ >= 0; }
-  /// Closes and says so when that fails; the destructor closes silently.
+  /// Closes the identifier. Throws RunError when that fails, which the destructor ignores.
   void close(std::string_view doing, std::string_view name = {});
   void reset() noexcept;
 
@@ -51,62 +51,65 @@ class Id {
 
 /// Links or attributes that keep their order of creation.
 inline constexpr unsigned tracked_order = H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED;
-/// File access for every file of ours. HDF5's own error printing is off from here on.
+/// The file access properties of every file of this program. Also switches HDF5's own error printing off.
 Id accessProperties();
-/// Opens for reading; also a file whose SWMR writer was killed. Throws RunError, also about what is no
-/// regular file.
+/// Opens a file for reading, even one whose SWMR writer was killed. Throws RunError when it cannot be opened
+/// or is no regular file.
 Id openToRead(const std::filesystem::path& path);
 
-/// Links and attributes of the new group keep their order of creation.
+/// Creates a group whose links and attributes keep their order of creation. This and the openers below throw
+/// RunError.
 Id createGroup(hid_t parent, const std::string& name);
 Id openGroup(hid_t parent, const std::string& name);
 Id openDataset(hid_t parent, const std::string& name);
-/// A group or a dataset.
+/// Opens a group or a dataset.
 Id openObject(hid_t parent, const std::string& name);
 bool isGroup(const Id& object);
 bool exists(hid_t parent, const std::string& name);
 /// Creation properties of a dataset whose attributes keep their order.
 Id datasetProperties();
 std::vector<std::string> childNames(hid_t group);  ///< in order of creation
-/// Throws RunError when the dataset states more values than a file of its size can hold.
+/// The lengths of a dataset's axes. Throws RunError when it states more values than a file of its size can
+/// hold.
 std::vector<hsize_t> shapeOf(hid_t dataset);
-double fileBytes(hid_t object);  ///< size of the file that an object or attribute lies in
-/// Throws RunError when the dataset states more values than are stored of it, before they are all read at
-/// once. A few megabytes that a killed writer had not written yet are no lie.
+double fileBytes(hid_t object);  ///< size in bytes of the file that contains an object or attribute
+/// Throws RunError when a dataset states many more values than are stored; to be called before all are read
+/// at once. A few megabytes that a killed writer had not written yet are tolerated.
 void requireStored(hid_t dataset);
 bool isText(hid_t dataset);
-/// "f64", "i64", "u8", "text" ...
+/// The type of a dataset's values: "f64", "i64", "u8", "text" ...
 std::string typeName(hid_t dataset);
 /// Whether a dataset only shows parts of others (a virtual dataset).
 bool isView(hid_t dataset);
 
-/// Variable-length UTF-8.
+/// The type of variable-length UTF-8 strings.
 Id textType();
 void writeText(hid_t group, const std::string& name, const std::string& text);
-/// One string an element, row by row; a scalar dataset gives one.
+/// The strings of a dataset in row-major order; a scalar dataset has one.
 std::vector<std::string> readTexts(hid_t dataset);
 
-/// Attributes; an existing one of that name is replaced.
+/// Set an attribute; an existing one of that name is replaced.
 void setAttribute(hid_t object, const std::string& name, const std::string& value);
 void setAttribute(hid_t object, const std::string& name, double value);
 void setAttribute(hid_t object, const std::string& name, std::int64_t value);
 void setAttribute(hid_t object, const std::string& name, std::int32_t value);
 void setAttribute(hid_t object, const std::string& name, const std::vector<std::uint8_t>& values);
-/// Fixed ASCII with a terminating NUL, as the HDF5 Image specification wants it.
+/// Sets a text of fixed-length ASCII with a terminating NUL, as the HDF5 Image specification demands.
 void setImageAttribute(hid_t object, const std::string& name, const std::string& value);
 void removeAttribute(hid_t object, const std::string& name);
 std::vector<std::string> attributeNames(hid_t object);  ///< in order of creation
-/// Also to another file; an existing one of that name is replaced. Not for references.
+/// Copies an attribute, also to another file; an existing one of that name is replaced. Not for references.
 void copyAttribute(hid_t from, hid_t to, const std::string& name);
-/// The selected values of a dataset fill another one of as many values.
+/// Copies the selected values of dataset `from` into dataset `to`, which has as many values.
 void copyValues(hid_t from, hid_t selection, hid_t to, const std::string& name);
 
 using AttributeValue = std::variant<double, long long, std::string>;
-/// A scalar attribute; no value when there is none of that name, or it is no number or string.
+/// The value of a scalar attribute; no value when there is none of that name, or it is neither number nor
+/// string.
 std::optional<AttributeValue> attribute(hid_t object, const std::string& name);
-/// A string attribute; `otherwise` when there is none.
+/// The value of a string attribute; `otherwise` when there is none.
 std::string textAttribute(hid_t object, const std::string& name, const std::string& otherwise = {});
-/// An integer attribute; `otherwise` when there is none.
+/// The value of an integer attribute; `otherwise` when there is none.
 long long integerAttribute(hid_t object, const std::string& name, long long otherwise);
 
 }  // namespace fissure::h5

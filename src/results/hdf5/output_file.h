@@ -13,12 +13,12 @@
 namespace fissure::h5 {
 
 enum class Space {
-  dense,  ///< for files that get their name when they are whole
-  paged  ///< no small structure crosses two pages: a writer killed between them leaves each whole; takes more
+  dense,  ///< for files that get their final name when they are complete
+  paged   ///< larger, but no small structure crosses a page, so that a killed writer leaves each intact
 };
 
-/// A file being written. That a disk was full shows in writeFailure(), checkWritten() and close(), not in the
-/// results of HDF5's own functions.
+/// An HDF5 file that is being written. Failed writes (a full disk) are reported by writeFailure(),
+/// checkWritten() and close(), not by HDF5's own functions (useWriteDriver).
 class OutputFile {
  public:
   OutputFile() = default;
@@ -31,11 +31,11 @@ class OutputFile {
 
   operator hid_t() const { return id_; }
   bool valid() const { return id_.valid(); }
-  /// One line with the system's reason, when a write has failed since the file was opened.
+  /// One line with the system's reason, if a write has failed since the file was opened; else no value.
   std::optional<std::string> writeFailure() const;
   /// Throws writeFailure() as RunError.
   void checkWritten() const;
-  /// Both write everything out and throw RunError as checkWritten() does.
+  /// Both write all buffered data and throw RunError as checkWritten() does.
   void flush() const;
   void close();
   void reset() noexcept { id_.reset(); }
@@ -51,7 +51,7 @@ class OutputFile {
 
 namespace fissure {
 
-/// An HDF5 file in the making that takes its place under its final name whole or not at all.
+/// An unfinished HDF5 file that appears under its final name complete or not at all (see TemporaryFile).
 class ReplacementFile {
  public:
   /// Creates the temporary file. Throws RunError.
@@ -60,9 +60,9 @@ class ReplacementFile {
   const h5::OutputFile& file() const { return file_; }
   const std::filesystem::path& temporaryPath() const { return temporary_.path(); }
 
-  /// Writes everything out and closes the HDF5 file. Throws RunError, also when any earlier write had failed.
+  /// Writes all data and closes the HDF5 file. Throws RunError when this or any earlier write failed.
   void close() { file_.close(); }
-  /// After close(): as TemporaryFile does.
+  /// To be called after close(): as TemporaryFile::commit().
   void commit() { temporary_.commit(); }
 
  private:

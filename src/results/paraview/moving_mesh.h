@@ -16,30 +16,32 @@ struct PointArray {
   std::string name;
   ValueType type = ValueType::real;
   std::size_t components = 1;
-  bool moves = true;  ///< false: the same at all times, those of step 0
-  /// Point by point, at the snapshot of that number.
+  bool moves = true;  ///< false: constant, with the values of snapshot 0
+  /// Returns the values at a snapshot, point by point.
   std::function<std::vector<double>(std::size_t snapshot)> values = {};
 };
 
-/// Triangles, or single points, that move and keep their topology.
+/// A moving mesh of triangles or of points, with constant topology.
 struct MovingMesh {
   std::string name;  ///< "tissue", "tools", "nodes"
   std::size_t points = 0;
-  std::vector<std::int64_t> corners;  ///< three a triangle; empty: the points alone
-  PointArray positions_m;             ///< named Points, three components
+  std::vector<std::int64_t> corners;  ///< three per triangle; empty: points only
+  PointArray positions_m;             ///< named Points, three components, scene frame
   std::vector<PointArray> arrays;
 };
 
-/// What a viewer can show of a run: its meshes at the times of its snapshots.
+/// The meshes of a run at the times of its snapshots, for a viewer.
 struct MovingMeshes {
   std::vector<double> times_s;
-  /// tissue (displacement since the first snapshot, vertex_contact, body); where there are any: tools, moved
-  /// to where they were (tool); where a snapshot knows them: nodes of the tools, moved (node_state, tool).
+  /// Up to three meshes, with their arrays in brackets: tissue (displacement since the first snapshot,
+  /// vertex_contact, body); tools at their poses, where there are tools (tool); and nodes of the tools, where
+  /// snapshots have node states (node_state, tool).
   std::vector<MovingMesh> meshes;
 };
 
-/// Reads from `run` when asked for values, so it must not outlive it. A snapshot after the last recorded
-/// step, as a salvaged run may have, is left out. No time: the run has no snapshots. Throws InputError.
+/// The meshes of a run. They read from `run` when they are asked for values, and so must not outlive it. A
+/// snapshot after the last recorded step, which a salvaged run may have, is left out. times_s is empty when
+/// the run has no snapshots. Throws InputError when the result is damaged.
 MovingMeshes movingMeshes(const RunReader& run);
 
 }  // namespace fissure

@@ -1,7 +1,8 @@
 #include "paraview/vtk_file.h"
 
+#include <fmt/core.h>
+
 #include <array>
-#include <cstdio>
 #include <numeric>
 
 namespace fissure {
@@ -148,9 +149,7 @@ void writeArray(hid_t group, const std::string& path, const PointArray& array, h
 }  // namespace
 
 std::string snapshotGroup(std::size_t snapshot) {
-  std::array<char, 40> name{};
-  std::snprintf(name.data(), name.size(), "snapshots/%06zu", snapshot);
-  return name.data();
+  return fmt::format("snapshots/{:06}", snapshot);
 }
 
 void writeVtkFile(hid_t file, const MovingMesh& mesh, const std::vector<double>& times_s) {

@@ -8,11 +8,11 @@
 
 namespace fissure {
 
-/// Writes a mesh with all its times into an empty HDF5 file: in the group VTKHDF as version 2.0 of that
-/// format has it (PolyData with Steps, one part; topology once), which ParaView reads from 5.12 on; and
-/// beside it, in snapshots/000000 and so on, a virtual dataset of each moving array at each time, for XDMF:
-/// its readers know no parts of a dataset. Positions are f64, other real arrays f32. Throws RunError and what
-/// the mesh throws.
+/// Writes a mesh at all its times into an empty HDF5 file. The group VTKHDF has version 2.0 of that format
+/// (PolyData with Steps, one part, topology once), which ParaView reads from 5.12 on. The groups
+/// snapshots/000000 and so on have a virtual dataset of each moving array at each time, for readers of XDMF,
+/// which cannot read a part of a dataset. Positions are f64, other real arrays f32. Throws RunError when
+/// writing fails, and what the mesh throws.
 void writeVtkFile(hid_t file, const MovingMesh& mesh, const std::vector<double>& times_s);
 
 /// The group of one snapshot in such a file: "snapshots/000012".

@@ -1,5 +1,7 @@
 #include "paraview/xdmf.h"
 
+#include <fmt/core.h>
+
 #include <sstream>
 
 #include "paraview/vtk_file.h"
@@ -15,8 +17,9 @@ std::string dimensions(const PointArray& array, std::size_t points) {
 }
 
 std::string item(const std::string& shape, const char* number, int bytes, const std::string& where) {
-  return "<DataItem Dimensions=\"" + shape + "\" NumberType=\"" + number + "\" Precision=\"" +
-         std::to_string(bytes) + "\" Format=\"HDF\">" + where + "</DataItem>\n";
+  return fmt::format(
+      "<DataItem Dimensions=\"{}\" NumberType=\"{}\" Precision=\"{}\" Format=\"HDF\">{}</DataItem>\n", shape,
+      number, bytes, where);
 }
 
 std::string arrayItem(const PointArray& array, std::size_t points, const std::string& where) {

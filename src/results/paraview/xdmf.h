@@ -7,8 +7,9 @@
 
 namespace fissure {
 
-/// An XDMF 2 document that shows the meshes of a run, a block each, at all its times. `files`: of each mesh
-/// the file by writeVtkFile(), relative to the document. Read by ParaView's XDMFReader and Xdmf3ReaderT.
+/// The text of an XDMF 2 document with the meshes of a run, one block each, at all its times. `files`: for
+/// each mesh the file written by writeVtkFile(), relative to the document. ParaView's XDMFReader and
+/// Xdmf3ReaderT read it.
 std::string xdmfText(const MovingMeshes& run, const std::vector<std::string>& files);
 
 }  // namespace fissure

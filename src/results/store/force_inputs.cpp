@@ -1,5 +1,7 @@
 #include "store/force_inputs.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "store/run_reader.h"
 
@@ -35,8 +37,9 @@ ForceInputs readForceInputs(const std::filesystem::path& file, const std::string
     left -= read.row_sizes.back();
   }
   if (!fits || left > 0 || read.row_sizes.size() != read.times_s.size())
-    throw InputError(inFile(file), "the force_inputs of run " + pipeline +
-                                       " are damaged: their lengths do not fit together");
+    throw InputError(
+        inFile(file),
+        fmt::format("the force_inputs of run {} are damaged: their lengths do not fit together", pipeline));
   read.inputs.reserve(laws * count);
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 direction = Vec3::Map(&directions[3 * i]);

@@ -9,16 +9,16 @@
 
 namespace fissure {
 
-/// What the force laws of a run saw, in the order of its steps.
+/// The arguments of a run's force laws, in the order of its steps.
 struct ForceInputs {
-  std::vector<std::string> laws;       ///< their names
-  std::vector<double> times_s;         ///< of each recorded step
-  std::vector<std::size_t> row_sizes;  ///< colliding triangles of each step
-  std::vector<LawInput> inputs;        ///< observation x number of laws + law; steps behind one another
+  std::vector<std::string> laws;       ///< names of the laws
+  std::vector<double> times_s;         ///< times of the recorded steps
+  std::vector<std::size_t> row_sizes;  ///< [step] number of colliding triangles
+  std::vector<LawInput> inputs;        ///< [observation x number of laws + law], step after step
 };
 
-/// Reads the `force_inputs` of one pipeline's run from a result. Throws InputError when the file is missing,
-/// damaged or none, or the run was not asked for them (`record: {force_inputs: true}`).
+/// Reads the `force_inputs` of one run from a result. Throws InputError when the file is missing, damaged or
+/// no result, or when the scenario did not ask for them (`record: {force_inputs: true}`).
 ForceInputs readForceInputs(const std::filesystem::path& file, const std::string& pipeline);
 
 }  // namespace fissure

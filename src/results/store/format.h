@@ -11,22 +11,22 @@
 
 namespace fissure {
 
-/// What opens a file of ours; a reader refuses newer versions.
+/// Values of the root attributes `format` and `format_version`. Readers refuse newer versions.
 inline constexpr const char* result_format = "fissure-result";
 inline constexpr const char* part_format = "fissure-part";
 inline constexpr const char* sweep_format = "fissure-sweep";
 inline constexpr std::int32_t format_version = 1;
 
-/// Attributes pipeline, description, precision, status and status_detail of a pipeline's group, in this
+/// Sets the attributes pipeline, description, precision, status and status_detail of a run's group, in this
 /// order.
 void describePipeline(hid_t group, const PipelineSettings& pipeline, const RunStatus& status);
 
-/// Attributes of the `force` dataset: model, kind of deformation and coefficients of each law. Their units
-/// have no legal UDUNITS form and stand beside them in words.
+/// Sets the attributes of the `force` dataset: model, kind of deformation and coefficients of each law. The
+/// coefficients' units have no valid UDUNITS form and are stored in words.
 void describeForceLaws(hid_t force, const std::vector<ForceSettings>& laws);
 
-/// The times of the rows of a growing axis that count as written: those up to the last that has a time.
-/// `time` is a coordinate.
+/// The times of the committed rows of a growing axis: those up to the last row with a time. `time` is the
+/// coordinate dataset of that axis.
 std::vector<double> committedTimes_s(hid_t time);
 
 }  // namespace fissure

@@ -1,8 +1,9 @@
 #include "store/frame_images.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
-#include <cstdio>
 
 #include "hdf5/group_builder.h"
 
@@ -13,9 +14,7 @@ namespace {
 const char* const doing = "cannot make a view of frame";
 
 std::string imageName(hsize_t frame) {
-  std::array<char, 32> name{};
-  std::snprintf(name.data(), name.size(), "%06llu", static_cast<unsigned long long>(frame));
-  return name.data();
+  return fmt::format("{:06}", frame);
 }
 
 void addImage(hid_t images, const std::string& name, hsize_t frame, const std::string& source,

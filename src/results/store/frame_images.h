@@ -6,14 +6,14 @@
 
 namespace fissure {
 
-/// Frames that get a view: opening a file takes netCDF readers time with the square of these (1000: 1 s,
-/// 6000: 400 s).
+/// The largest number of frames with a view of their own. The time that netCDF readers need to open a file
+/// grows with the square of this number (1 s for 1000, 400 s for 6000).
 inline constexpr hsize_t most_frame_images = 1000;
 
-/// Gives each picture of the dataset `frames` in `group`, up to most_frame_images, a dataset of its own in
-/// the subgroup frame_images (000000, 000001, ...): virtual, so that no byte is stored twice, and with scales
-/// and the attributes of the HDF5 Image specification, which image viewers look for. `group_path` is the
-/// group's absolute name. Call it once `frames` has its final length. Throws RunError.
+/// Adds a virtual dataset for each picture of the dataset `frames` in `group`, up to most_frame_images, in
+/// the subgroup frame_images (000000, 000001, ...). They have dimension scales and the attributes of the HDF5
+/// Image specification, by which viewers recognise images. `group_path` is the absolute name of the group. To
+/// be called when `frames` has its final length. Throws RunError.
 void addFrameImages(hid_t group, const std::string& group_path);
 
 }  // namespace fissure

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "base/error.h"
+#include "base/steps.h"
 #include "hdf5/output_file.h"
 #include "store/force_input_writer.h"
 #include "store/format.h"
@@ -18,9 +19,15 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+std::size_t expectedRows(const PartHeader& header) {
+  if (header.expected_steps == 0) return 0;
+  const int every = stepsPerRow(header.scenario.record, header.scenario.measure);
+  return static_cast<std::size_t>(everyNth(header.expected_steps, every));
+}
+
 std::size_t expectedSnapshots(const PartHeader& header) {
-  if (header.expected_rows == 0) return 0;
-  const double last_s = static_cast<double>(header.expected_rows - 1) * header.scenario.time.step_s;
+  if (header.expected_steps == 0) return 0;
+  const double last_s = static_cast<double>(header.expected_steps) * header.scenario.time.step_s;
   return 1 + static_cast<std::size_t>(std::ceil(last_s / *header.scenario.record.snapshots_every_s));
 }
 
@@ -76,7 +83,9 @@ PartFile::PartFile(const std::filesystem::path& path, const PartHeader& header)
     h5::setAttribute(file_, "title", header.scenario.name);
     h5::setAttribute(file_, "format", std::string(part_format));
     h5::setAttribute(file_, "format_version", format_version);
-    h5::setAttribute(file_, "expected_rows", static_cast<std::int64_t>(header.expected_rows));
+    h5::setAttribute(file_, "expected_steps", header.expected_steps);
+    h5::setAttribute(file_, "steps_per_row",
+                     std::int64_t{stepsPerRow(header.scenario.record, header.scenario.measure)});
     const h5::Id provenance = h5::createGroup(file_, "provenance");
     h5::writeText(provenance, "scenario_resolved", header.scenario_resolved);
     makeDatasets(header);
@@ -98,12 +107,12 @@ void PartFile::makeDatasets(const PartHeader& header) {
   const h5::Id pipelines = h5::createGroup(file_, "pipelines");
   GroupBuilder group(pipelines, header.pipeline.name);
   describePipeline(group.id(), header.pipeline, {RunEnd::incomplete, ""});
-  series_.emplace(group, header.layout, rowsInChunk(header.expected_rows));
+  series_.emplace(group, header.layout, rowsInChunk(expectedRows(header)));
   const RecordSettings& record = header.scenario.record;
   if (record.force_inputs) {
     std::vector<std::string> laws;
     for (const ForceSettings& law : header.scenario.force) laws.push_back(law.name);
-    force_inputs_.emplace(group, laws, rowsInChunk(header.expected_rows));
+    force_inputs_.emplace(group, laws, rowsInChunk(expectedRows(header)));
   }
   if (record.snapshots_every_s) {
     snapshots_.emplace(group, header.scene, expectedSnapshots(header));

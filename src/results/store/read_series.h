@@ -10,7 +10,7 @@ namespace fissure {
 /// A dataset's numbers in row-major order; missing values are NaN.
 struct SeriesData {
   std::vector<double> values;
-  std::vector<std::size_t> shape;  ///< one length an axis; their product is the number of values
+  std::vector<std::size_t> shape;  ///< lengths of the axes; their product is the number of values
 };
 
 /// Reads one numeric dataset of a result or part file as doubles (int64 beyond 2^53 are rounded). `dataset`

@@ -1,5 +1,7 @@
 #include "store/result_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 
@@ -155,7 +157,7 @@ std::string hdf5Version() {
   unsigned minor = 0;
   unsigned release = 0;
   h5::check(H5get_libversion(&major, &minor, &release), "cannot ask HDF5 for its version");
-  return std::to_string(major) + "." + std::to_string(minor) + "." + std::to_string(release);
+  return fmt::format("{}.{}.{}", major, minor, release);
 }
 
 }  // namespace fissure

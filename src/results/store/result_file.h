@@ -12,45 +12,47 @@
 
 namespace fissure {
 
-/// One pipeline's run as the front knows it.
+/// The part file and the status of one run, for the assembly of a result.
 struct PartResult {
   PipelineSettings pipeline;
-  std::optional<std::filesystem::path>
-      part;  ///< no value: nothing usable was written; only the status is stored
+  /// Path of the part; no value: nothing usable was written, and only the status is stored.
+  std::optional<std::filesystem::path> part;
   RunStatus status;
 };
 
 /// Attributes of /provenance, in order: name and value.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1.
-/// Written beside `path` under a temporary name, synced, then renamed, and the directory synced: under `path`
-/// stands either the whole file or what stood there before. Throws RunError (a full disk too); the temporary
-/// file is removed then. A run whose part is damaged has the status `failed`; whether HDF5 crashes on it is
-/// not known here.
+/// Joins the parts of one scenario into the result file `path`, with all views, scales and `complete` = 1. It
+/// is written under a temporary name beside `path`, flushed to disk and renamed: `path` is replaced by the
+/// complete file or not at all. Throws RunError when writing fails (a full disk); the temporary file is then
+/// removed. A run whose part is damaged gets the status `failed`. HDF5 may crash on a damaged part: try to
+/// read it in a child process first.
 void assembleResult(const std::filesystem::path& path, const LoadedScenario& loaded,
                     const Provenance& provenance, const std::vector<PartResult>& parts);
 
-/// The same for one part whose run nobody finished; the file says so with `salvaged` = 1. Throws InputError
-/// when the part cannot be copied.
+/// The same for one part of a run that was never finished; the file has the attribute `salvaged` = 1. Throws
+/// InputError when the part cannot be copied.
 void assembleSalvaged(const std::filesystem::path& path, const LoadedScenario& loaded,
                       const Provenance& provenance, const PartResult& part);
 
-/// Removes what a process that died within one of these had written of `path`.
+/// Removes the temporary files of `path` that a process which died in one of these functions has left.
 void removeHalfWritten(const std::filesystem::path& path, int process);
 
-/// What the table at the end of `run` and `info` read.
+/// The attributes and summary of one run in a result.
 struct PipelineResult {
   std::string name;
   std::string pipeline;
   std::string description;
   std::string precision;
   RunStatus status;
-  Summary summary;  ///< scalars, with those of timing/ named "timing/..."
+  /// All scalars; those of timing/ are named "timing/...".
+  Summary summary;
 };
 struct DatasetInfo {
   std::string path;
-  std::string type;  ///< "f64", "i64", "u8", "text"
+  /// "f64", "i64", "u8", "text".
+  std::string type;
   std::vector<unsigned long long> shape;
   std::string units;
 };
@@ -67,12 +69,12 @@ struct ResultInfo {
   std::vector<DatasetInfo> datasets;
 };
 
-/// Reads a result file (or a part). Throws InputError when it is missing, no HDF5 file, not a fissure result,
-/// damaged (a run with an unknown status too), or of a newer
-/// format_version.
+/// Reads the attributes, summaries and list of datasets of a result file or a part. Throws InputError when it
+/// is missing, no HDF5 file, not a fissure result, damaged (including a run with an unknown status), or of a
+/// newer format_version.
 ResultInfo readResultInfo(const std::filesystem::path& path);
 
-/// Versions of the HDF5 library in use at run time, for provenance.
+/// Version of the HDF5 library at run time, for provenance.
 std::string hdf5Version();
 
 }  // namespace fissure

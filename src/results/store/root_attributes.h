@@ -7,11 +7,11 @@
 
 namespace fissure {
 
-/// The value of that name; "" where there is none.
+/// The value of an entry of the provenance; "" where there is none of that name.
 std::string valueOf(const Provenance& provenance, const std::string& name);
 
-/// What opens every finished file of ours, up to `format` and format_version: Conventions, title, summary,
-/// source, history, date_created and id (of `content` and the date).
+/// Sets the root attributes of every finished file: Conventions, title, summary, source, history,
+/// date_created, id (a hash of `content` and the date), `format` and format_version.
 void describeRoot(hid_t file, const std::string& title, const std::string& summary,
                   const Provenance& provenance, const std::string& content, const std::string& format);
 

@@ -1,6 +1,8 @@
 #include "store/salvage.h"
 
-#include <cstdio>
+#include <fmt/core.h>
+
+#include <algorithm>
 #include <vector>
 
 #include "base/error.h"
@@ -13,12 +15,12 @@ namespace fissure {
 namespace {
 
 /// Row 0 is the state before the first step.
-std::string reached(const std::vector<double>& times_s, long long expected_rows) {
-  std::string text = "up to step " + std::to_string(times_s.size() - 1);
-  if (expected_rows > 0) text += " of " + std::to_string(expected_rows - 1);
-  char time[64];
-  std::snprintf(time, sizeof time, " (t = %g s)", times_s.back());
-  return text + time + ", what came after was not on the disk yet";
+std::string reached(const PartReader& part, const std::vector<double>& times_s) {
+  const long long steps = part.expectedSteps();
+  long long reached = part.stepsPerRow() * static_cast<long long>(times_s.size() - 1);
+  if (steps > 0) reached = std::min(reached, steps);
+  return fmt::format("up to step {}{} (t = {:g} s), what came after was not on the disk yet", reached,
+                     steps > 0 ? fmt::format(" of {}", steps) : "", times_s.back());
 }
 
 }  // namespace
@@ -38,7 +40,7 @@ PartContent inspectPart(const std::filesystem::path& path) {
     if (run.status.end != RunEnd::incomplete) return content;
     if (times_s.empty())
       throw InputError(inFile(name), "stopped before its first block was written, nothing to salvage");
-    content.status = {RunEnd::salvaged, reached(times_s, part.expectedRows())};
+    content.status = {RunEnd::salvaged, reached(part, times_s)};
   } catch (const RunError& error) {
     throw InputError(inFile(name), std::string("a damaged part file (") + error.what() + ")");
   }

@@ -7,16 +7,15 @@
 
 namespace fissure {
 
-/// What a part file holds of its one run.
+/// The run in a part file.
 struct PartContent {
-  std::string pipeline;  ///< name of the entry it is the run of
+  std::string pipeline;  ///< name of the scenario's entry
   std::string scenario_resolved;
-  RunStatus status;  ///< as the worker left it, or `salvaged` and up to which step the run is there
+  RunStatus status;  ///< status that the worker wrote, or `salvaged` with the last step that is there
 };
 
-/// Looks into the part of a run that may never have ended. What counts as there is what the last flush before
-/// the end had brought to the disk. Throws InputError when the file is missing, no part, damaged, or holds no
-/// row yet.
+/// Inspects the part of a run that may never have been finished, up to the last flush to disk. Throws
+/// InputError when the file is missing, no part, damaged, or has no row yet.
 PartContent inspectPart(const std::filesystem::path& path);
 
 }  // namespace fissure

@@ -13,22 +13,21 @@
 
 namespace fissure {
 
-/// The snapshots of one run of a result file, with all that a picture of them needs. A run that never came to
-/// one, or whose scenario asks for none, has none. Everything here throws InputError about the file when it
-/// is damaged.
+/// Reads the snapshots of one run in a result file, with all that is needed to draw them. There may be none.
+/// All functions throw InputError about the file when it is damaged.
 class SnapshotReader {
  public:
   SnapshotReader(const std::filesystem::path& file, const std::string& pipeline);
 
-  /// Ascending.
+  /// Times of the snapshots, ascending.
   const std::vector<double>& times_s() const { return times_s_; }
-  /// Surfaces, places of nodes and handles, as they were stored: no normals of nodes, no ground, and only
+  /// The stored surfaces, node positions and handles; without normals of nodes and ground, and only with
   /// clamps that have a handle. Empty where there are no snapshots.
   const Scene& scene() const { return scene_; }
 
-  /// Positions, poses and node states of one snapshot; nothing of what else a step leaves behind.
+  /// Positions, poses and node states of one snapshot; all else of the State is left at its default.
   State at(std::size_t snapshot) const;
-  /// What a picture of it says of depths.
+  /// The measured depths at a snapshot, for the text in its picture.
   FrameMeasures depths(std::size_t snapshot) const;
 
  private:
@@ -45,7 +44,7 @@ class SnapshotReader {
   std::vector<double> times_s_;
   std::vector<double> step_times_s_;
   Scene scene_;
-  std::vector<std::size_t> clamps_;  ///< of scene_.clamps: their places among all clamps of the run
+  std::vector<std::size_t> clamps_;  ///< for scene_.clamps: indices among all clamps of the run
   std::size_t all_clamps_ = 0;
 };
 

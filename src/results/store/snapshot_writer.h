@@ -10,39 +10,42 @@
 
 namespace fissure {
 
-/// Bodies, faces and offsets of a scene: faces(face,corner) counts through all bodies, first_vertex(body),
-/// first_face(body). Datasets `vertex`, `faces` and so on in `group`.
+/// Writes the datasets of a scene's bodies into `group`: faces(face,corner), whose indices run over all
+/// bodies, and the offsets first_vertex(body) and first_face(body).
 void addBodies(GroupBuilder& group, const Scene& scene);
 
-/// volumes/<body> of each elastic body, as placed at time zero, in the scene's frame: vertices(vertex,xyz),
-/// whose first are those of the body's surface in its order; tetrahedra(tetrahedron,corner) of them, seen
-/// from the last corner the others run counter-clockwise; fixed_vertices(fixed_vertex) and
-/// region(tetrahedron) where there are any.
+/// Writes volumes/<body> for each elastic body as placed at time zero, in the scene frame:
+/// vertices(vertex,xyz), of which the first are those of the body's surface in its order;
+/// tetrahedra(tetrahedron,corner), whose first three corners run counter-clockwise seen from the fourth;
+/// fixed_vertices(fixed_vertex) and region(tetrahedron) where there are any.
 void addVolumes(GroupBuilder& group, const Scene& scene);
 
-/// tools/<tool>: the surface and the nodes of each tool, in the tool's frame; first_node(tool) in `group`
-/// itself when the scene has nodes. A node without partner has node_partner -1 and a missing (NaN) thickness.
+/// Writes tools/<tool> with the surface and the nodes of each tool, in the tool's frame, and first_node(tool)
+/// into `group` itself when the scene has nodes. A node without partner has node_partner -1 and a missing
+/// (NaN) thickness.
 void addTools(GroupBuilder& group, const Scene& scene);
 
-/// visuals/<clamp>_handle: the surface of each clamp's handle, in the clamp's frame; it is drawn, and met by
-/// nothing.
+/// Writes visuals/<clamp>_handle with the surface of each clamp's handle, in the clamp's frame; it is only
+/// drawn and has no contacts.
 void addHandles(GroupBuilder& group, const Scene& scene);
 
-/// Snapshots of a run: positions(snapshot_time,vertex,xyz), vertex_contact, node_state when the scene has
-/// nodes, contact_pressure where a body is elastic, and where it has handles their places:
-/// clamp_position(snapshot_time,clamp,xyz), clamp_quaternion. Buffered by about a megabyte of positions.
+/// Writes the snapshots of a run: positions(snapshot_time,vertex,xyz), vertex_contact, node_state where the
+/// scene has nodes, contact_pressure where a body is elastic, and clamp_position(snapshot_time,clamp,xyz) and
+/// clamp_quaternion where clamps have handles. The buffer holds about a megabyte of positions.
 class SnapshotWriter {
  public:
-  /// Makes the datasets; `expected` snapshots bound the chunk (0: unknown).
+  /// Creates the datasets. `expected`: number of snapshots, which limits the chunk size (0: unknown).
   SnapshotWriter(GroupBuilder& group, const Scene& scene, std::size_t expected);
 
-  /// Buffers one; true when the chunk is full and must be written. State arrays fit the scene; contacts and
-  /// node states may be empty: all free. Throws std::logic_error otherwise.
+  /// Buffers a snapshot; returns true when the chunk is full and must be written. Throws std::logic_error
+  /// when the arrays of the state do not fit the scene; contacts and node states may be empty, which means no
+  /// contact.
   bool append(const State& state);
 
-  /// Writes what is buffered but its times.
+  /// Writes the buffer without the times.
   void writeData();
-  /// Then the times: what a snapshot needs to count as written, so the caller flushes in between.
+  /// Writes the times. A snapshot is committed when its time is written, so the caller must flush the file
+  /// between writeData() and writeTimes().
   void writeTimes();
 
  private:
@@ -50,10 +53,10 @@ class SnapshotWriter {
 
   std::size_t vertices_;
   std::size_t nodes_;
-  std::size_t placed_clamps_;  ///< 0: there is no handle
+  std::size_t placed_clamps_;  ///< number of clamps; 0 where none has a handle
   bool has_pressures_;
   std::size_t chunk_;
-  std::size_t in_chunk_ = 0;  ///< snapshots of the current chunk, written or buffered
+  std::size_t in_chunk_ = 0;  ///< number of snapshots in the current chunk, written or buffered
   std::vector<double> positions_;
   std::vector<std::uint8_t> contacts_;
   std::vector<std::uint8_t> node_states_;
@@ -61,7 +64,7 @@ class SnapshotWriter {
   std::vector<double> clamp_positions_;
   std::vector<double> clamp_quaternions_;
   std::vector<double> times_;
-  hsize_t unwritten_ = 0;  ///< snapshots whose data are buffered
+  hsize_t unwritten_ = 0;  ///< number of snapshots whose data are buffered
   std::optional<GrowingDataset> time_data_;
   std::optional<GrowingDataset> position_data_;
   std::optional<GrowingDataset> contact_data_;
@@ -71,14 +74,14 @@ class SnapshotWriter {
   std::optional<GrowingDataset> clamp_quaternion_data_;
 };
 
-/// Pictures of a run: frames(frame_time,image_y,image_x,channel).
+/// Writes the pictures of a run: frames(frame_time,image_y,image_x,channel).
 class FrameWriter {
  public:
   FrameWriter(GroupBuilder& group, int width_px, int height_px);
 
-  /// Writes one at once. Throws std::logic_error on a picture of another size.
+  /// Writes a picture at once. Throws std::logic_error for a picture of another size.
   void append(double time_s, const Image& image);
-  /// Writes the times of the frames so far; the caller flushes before.
+  /// Writes the times of the frames so far; the caller must flush the file before.
   void writeTimes();
 
  private:

@@ -1,5 +1,7 @@
 #include "store/stored_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "base/error.h"
@@ -15,13 +17,13 @@ void checkFormat(hid_t file, const StoredFormat& format) {
   const std::string name = h5::textAttribute(file, "format");
   if (std::find(format.names.begin(), format.names.end(), name) == format.names.end()) {
     const std::string what = format.what.substr(format.what.find(' ') + 1);
-    throw InputError("an HDF5 file, but no " + what + " (expected attribute format = \"" +
-                     format.names.front() + "\")");
+    throw InputError(fmt::format("an HDF5 file, but no {} (expected attribute format = \"{}\")", what,
+                                 format.names.front()));
   }
   const long long version = h5::integerAttribute(file, "format_version", 0);
   if (version < 1 || version > format_version) {
-    throw InputError("format_version " + std::to_string(version) + ", expected at most " +
-                     std::to_string(format_version) + ": written by a newer fissure");
+    throw InputError(fmt::format("format_version {}, expected at most {}: written by a newer fissure",
+                                 version, format_version));
   }
 }
 
@@ -40,7 +42,8 @@ void readStoredFile(const std::filesystem::path& path, const StoredFormat& forma
     if (H5Fis_hdf5(path.c_str()) > 0) {
       throw InputError(inFile(path), std::string("a damaged or truncated HDF5 file (") + error.what() + ")");
     }
-    throw InputError(inFile(path), "not an HDF5 file, expected " + format.what + " (" + error.what() + ")");
+    throw InputError(inFile(path),
+                     fmt::format("not an HDF5 file, expected {} ({})", format.what, error.what()));
   }
 }
 

@@ -9,15 +9,16 @@
 
 namespace fissure {
 
-/// What a file says it is: the formats that a reader takes, and how people call them.
+/// The formats that a reader accepts, and their name for people.
 struct StoredFormat {
   std::vector<std::string> names;
-  std::string what;  ///< "a fissure result"
+  /// Their name for people, as "a fissure result".
+  std::string what;
 };
 
-/// Opens `path` and gives it to `read` as an HDF5 file of one of the formats, not newer than format_version
-/// (no names: of any). Throws InputError about the file when it is missing, no HDF5 file, of another format,
-/// newer or damaged; a RunError of `read` counts as damage.
+/// Opens `path` and passes it to `read`, after checking that it is an HDF5 file of one of the formats (any,
+/// if there are no names) and not newer than format_version. Throws InputError about the file when it is
+/// missing, no HDF5 file, of another format, newer or damaged; a RunError thrown by `read` counts as damage.
 void readStoredFile(const std::filesystem::path& path, const StoredFormat& format,
                     const std::function<void(h5::Id file)>& read);
 

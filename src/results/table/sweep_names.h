@@ -6,12 +6,12 @@
 
 namespace fissure {
 
-/// The names that columns of every sweep's table have.
+/// The names of the columns that every sweep's table has.
 const std::set<std::string>& fixedSweepColumns();
 
-/// Names for the columns of axes on these scenario paths: the shortest end of each path that no other has and
-/// that is not `taken` or fixed, in letters, digits and "_", with a letter first: `force.hc.k` "k",
-/// `tools.spatula.motion.speed_m_s` "speed_m_s".
+/// Column names for axes on these scenario paths: the shortest end of each path that is unique and neither in
+/// `taken` nor in fixedSweepColumns(), in letters, digits and "_", beginning with a letter. Thus `force.hc.k`
+/// gives "k" and `tools.spatula.motion.speed_m_s` gives "speed_m_s".
 std::vector<std::string> sweepAxisNames(const std::vector<std::string>& paths,
                                         const std::set<std::string>& taken);
 

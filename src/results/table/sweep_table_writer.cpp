@@ -1,5 +1,7 @@
 #include "table/sweep_table_writer.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -84,7 +86,8 @@ void verify(const std::filesystem::path& path, std::size_t runs) {
 
 double numberOf(const std::string& text, const SweepAxisColumn& axis) {
   const std::optional<double> number = toReal(text);
-  if (!number) throw std::logic_error("axis " + axis.name + " is numeric, but has the value " + text);
+  if (!number)
+    throw std::logic_error(fmt::format("axis {} is numeric, but has the value {}", axis.name, text));
   return *number;
 }
 

@@ -7,20 +7,20 @@
 
 namespace fissure {
 
-/// Writes a sweep's table row by row, and takes as much memory for a hundred thousand rows as for a thousand.
-/// The same rows give the same data. Under `path` stands what stood there before until finish() has put the
-/// whole table in its place; a writer that is dropped before leaves nothing behind.
+/// Writes a sweep's table row by row, in memory that does not depend on the number of rows. The same rows
+/// give the same data. finish() replaces `path` by the complete table; a writer that is destroyed before
+/// leaves no file behind.
 class SweepTableWriter {
  public:
-  /// Everything here throws RunError about `path` (a full disk too), and std::logic_error when names of the
-  /// layout clash or rows do not fit it.
+  /// All functions throw RunError about `path` when writing fails (a full disk), and std::logic_error when
+  /// names of the layout are not unique or rows do not fit it.
   SweepTableWriter(const std::filesystem::path& path, const SweepTableLayout& layout);
   SweepTableWriter(SweepTableWriter&&) noexcept;
   ~SweepTableWriter();
 
-  /// The next row. Values of a numeric axis must be numbers.
+  /// Appends a row. Values of a numeric axis must be numbers.
   void append(const SweepRun& run);
-  /// After all `layout.runs` rows. `complete`: no run is missing.
+  /// Completes the table after all `layout.runs` rows. `complete`: whether no run is missing.
   void finish(bool complete);
 
  private:

@@ -7,24 +7,28 @@
 
 namespace fissure {
 
-/// What one tool's contacts press on. Normals point from the tool into the tissue. The displacements are how
-/// far the contacts push the tissue along them: by them tools share a triangle's force, so they are kept only
-/// where there are several tools.
+/// The tissue that the contacts of one tool press on. Normals point from the tool into the tissue, scene
+/// frame. Displacements are those that the contacts cause along their normals; they are the shares by which
+/// several tools divide the force of a triangle, and are kept only where there are several tools.
 struct ToolTouch {
-  std::vector<Vec3> vertex_normals;  ///< sum of the contacts' normals, each times its weight at the vertex
-  std::vector<Vec3> face_normals;    ///< sum of the normals of the contacts on this face; zero: none
-  std::vector<double> vertex_displacements_m;  ///< the same sums of displacements; empty: the only tool
+  /// [vertex] sum of the contacts' normals times their weights at the vertex.
+  std::vector<Vec3> vertex_normals;
+  std::vector<Vec3> face_normals;  ///< [face] sum of the normals of the contacts on the face; zero: none
+  /// [vertex] the same sum of displacements; empty for a single tool.
+  std::vector<double> vertex_displacements_m;
   std::vector<double> face_displacements_m;
 };
 
-/// Which tissue is in a colliding state with the tools in this step, whatever detector found it, and, where
-/// force laws ask for it, along which normals. Arrays run over all bodies, concatenated in the Scene's order.
+/// The tissue that is in a colliding state with tools in this step, whatever detector found it, and, where
+/// force laws need them, the normals of the contacts. [vertex] and [face] arrays cover all bodies,
+/// concatenated in the Scene's order.
 struct ContactPatch {
-  std::vector<std::uint8_t> vertex_contact;  ///< 1: the vertex belongs to a contact
-  std::vector<ToolTouch> tools;              ///< one a tool; empty where no force law asks
-  std::vector<double> face_weights;  ///< share of each face's force that counts, 0..1; empty: all of it
+  std::vector<std::uint8_t> vertex_contact;  ///< [vertex] 1: the vertex belongs to a contact
+  std::vector<ToolTouch> tools;              ///< one per tool; empty without force laws
+  std::vector<double> face_weights;  ///< [face] share of its force that counts, 0..1; empty: all of it
 
-  /// `tools_with_normals`: the number of tools where force laws ask for normals, else 0.
+  /// Sets the sizes of the arrays. `tools_with_normals`: the number of tools where force laws need normals,
+  /// else 0.
   void resize(int vertices, int faces, std::size_t tools_with_normals) {
     vertex_contact.resize(vertices);
     tools.resize(tools_with_normals);
@@ -36,6 +40,7 @@ struct ContactPatch {
     }
   }
 
+  /// Removes all contacts; the sizes stay.
   void clear() {
     vertex_contact.assign(vertex_contact.size(), 0);
     for (ToolTouch& tool : tools) {
@@ -46,7 +51,7 @@ struct ContactPatch {
     }
   }
 
-  /// A contact of `tool` at a vertex, with its weight there.
+  /// Adds a contact of `tool` at a vertex, with the contact's weight there.
   void touchVertex(int tool, int vertex, double weight, const Vec3& normal, double displacement_m) {
     vertex_contact[vertex] = 1;
     if (tools.empty()) return;
@@ -55,7 +60,7 @@ struct ContactPatch {
     if (tools.size() > 1) touch.vertex_displacements_m[vertex] += weight * displacement_m;
   }
 
-  /// A contact of `tool` on a face.
+  /// Adds a contact of `tool` on a face.
   void touchFace(int tool, int face, const Vec3& normal, double displacement_m) {
     if (tools.empty()) return;
     ToolTouch& touch = tools[tool];

@@ -9,31 +9,31 @@
 
 namespace fissure {
 
-/// The first triangle of a surface that a ray meets.
+/// The first triangle of a surface that a ray hits.
 struct SurfaceHit {
   int face = -1;
   Ray::TriangleHit at;
 };
 
-/// A tree of bounding boxes over the triangles of one deforming body: built once for its rest shape, refitted
-/// in every step.
+/// A tree of axis-parallel bounding boxes over the triangles of one deforming body, built once for its rest
+/// shape and refitted in every step.
 class FaceTree {
  public:
   FaceTree(std::span<const Vec3> positions_m, const std::vector<Face>& faces);
 
-  /// Fits all boxes to the current positions; the faces keep their place in the tree.
+  /// Fits all boxes to the current positions; the topology of the tree does not change.
   void refit(std::span<const Vec3> positions_m);
 
-  /// Is the point within the box round all faces? One that is not lies outside the body.
+  /// Whether the point is in the bounding box of all faces; if not, it is outside the body.
   bool boxHolds(const Vec3& point_m) const;
 
-  /// The nearest hit; triangles met at the same distance: the lowest index. `tests` grows by the triangles
-  /// tried.
+  /// The nearest hit of the ray; at equal distances that of the lowest face index; no value where the ray
+  /// misses. `tests` is raised by the number of triangles tested.
   std::optional<SurfaceHit> firstHit(const Ray& ray, std::span<const Vec3> positions_m,
                                      long long& tests) const;
 
-  /// Appends the faces of all leaves whose box meets this one: every face that meets it, and their neighbours
-  /// in the tree. In an order that depends on the tree alone.
+  /// Appends the faces of all leaves whose box meets the box from `low` to `high`: every face that meets it,
+  /// and others near it. The order depends on the tree alone.
   void nearBox(const Vec3& low, const Vec3& high, std::vector<int>& faces) const;
 
  private:
@@ -42,8 +42,8 @@ class FaceTree {
   };
   struct Node {
     Box box;
-    int first = 0;  ///< leaf: first entry of order_; inner: index of the right child (the left one follows
-                    ///< its parent)
+    /// Leaf: first entry of order_; inner: index of the right child (the left one follows its parent).
+    int first = 0;
     int count = 0;  ///< leaf: number of faces; inner: 0
   };
 

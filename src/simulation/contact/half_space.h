@@ -4,16 +4,16 @@
 
 namespace fissure {
 
-/// The ground: a half-space at rest that tissue stays out of. Tissue is above it where none of its vertices
-/// is below, whatever its triangles do.
+/// The ground: a half-space at rest that tissue stays out of. Tissue is above it when all of its vertices
+/// are.
 struct HalfSpace {
-  Vec3 point_m = Vec3::Zero();  ///< a point of its surface, scene frame
-  Vec3 normal = Vec3::UnitY();  ///< unit, out of it
-  double friction = 0;          ///< Coulomb's coefficient is the product of this and the body's
+  Vec3 point_m = Vec3::Zero();  ///< a point on its surface, scene frame
+  Vec3 normal = Vec3::UnitY();  ///< unit, out of the half-space, scene frame
+  double friction = 0;          ///< Coulomb's coefficient of a contact is the product of this and the body's
 
-  /// How far a point stands above its surface; below it the height is negative.
+  /// Height of a point (scene frame) above the surface; negative below it.
   double height_m(const Vec3& at_m) const { return (at_m - point_m).dot(normal); }
-  /// Is a point below, by more than rounding?
+  /// Whether a point is below the surface by more than rounding (1 nm).
   bool holdsInside(const Vec3& at_m) const { return height_m(at_m) < -1e-9; }
 };
 

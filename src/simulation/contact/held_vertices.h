@@ -8,24 +8,25 @@
 
 namespace fissure {
 
-/// Tissue vertices that stick to a box tool from the step in which they reach it: the reference for what is
-/// the tissue's own in a force curve. One object belongs to one run.
+/// Tissue vertices that stick to a box tool from the step in which they reach it. It is the reference for the
+/// tissue's own part of a force curve, without contacts that come and go. One object belongs to one run.
 class HeldVertices {
  public:
-  /// margins_m: one a body.
+  /// margins_m: [body].
   HeldVertices(const Scene& scene, const std::vector<double>& margins_m)
       : sides_(scene, margins_m), held_(scene.vertexCount()) {}
 
+  /// A vertex that is held, and its tool.
   struct Held {
     int tool = 0;
     Vec3 position_m, normal;  ///< tool frame; the normal is unit, from the tool into the tissue
   };
 
-  /// Holds what reaches a tool by positions_m, a margin in front of it. inverse_masses: one per vertex in
-  /// 1/kg, 0: fixed, never held.
+  /// Holds the vertices that reach a tool at the step's positions_m, a margin in front of the tool.
+  /// inverse_masses: [vertex] 1/kg; fixed vertices (0) are never held.
   void hold(const StepView& step, std::span<const double> inverse_masses);
 
-  /// One per vertex; empty: it is free.
+  /// [vertex] empty: it is free.
   const std::vector<std::optional<Held>>& vertices() const { return held_; }
 
  private:

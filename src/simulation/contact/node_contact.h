@@ -22,48 +22,49 @@
 namespace fissure {
 
 struct NodeContactSettings {
-  bool association = true;  ///< false: ray casting only, step one without step two (paper, Fig. 3 right)
-  /// Also hold tissue that slips in between the nodes: vertices (VertexSides) and edges (RimEdges). A tool
-  /// that starts inside tissue is pushed free by its nodes alone.
+  bool association = true;  ///< false: ray casting alone (paper, Fig. 3 right)
+  /// Whether tissue that slips between nodes is held too: vertices (VertexSides) and edges (RimEdges). A tool
+  /// that starts inside tissue is pushed out by its nodes alone.
   bool vertex_contacts = false;
   ContactResponse response = ContactResponse::none;
   int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts
-  std::optional<double> ray_length_m =
-      {};                             ///< default: each body's extent, at least the node's travel in the step
-  double max_displacement_m = 0.005;  ///< of tissue at a node, beyond the approach of the step itself
-  std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
-  std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
-  /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's (as Bullet's SDF
-  /// contact has it); empty: frictionless. Response momentum only: without it there is no force to rub with.
+  /// Length of node rays, at least the node's displacement in the step; no value: each body's largest extent.
+  std::optional<double> ray_length_m = {};
+  double max_displacement_m = 0.005;  ///< cap on displacement in a step beyond the approach in that step
+  std::vector<double> margins_m;      ///< [body] distance at which contacts hold tissue in front of a tool
+  std::vector<double> time_scales;    ///< [body] its own time over the scene's; empty: 1 each
+  /// [body] and [tool]: the friction coefficient of a contact is the product of the two, as in Bullet's SDF
+  /// contact; empty: frictionless. Only with response momentum, because friction needs a normal force.
   std::vector<double> body_frictions, tool_frictions;
-  std::optional<HalfSpace> ground = {};  ///< no value: none of this method's; response momentum only
+  /// No value: the ground is not this method's; response momentum only.
+  std::optional<HalfSpace> ground = {};
 };
 
 /// Wall time of NodeContact's steps so far, seconds.
 struct ContactTimes {
-  double rays_s = 0;             ///< fitting the tree of triangles, casting the nodes' rays
-  double association_s = 0;      ///< feasibility, and the contacts that it leaves
-  double vertex_contacts_s = 0;  ///< of vertices and edges
-  double displacement_s = 0;     ///< of the tissue, with its response
-  double report_s = 0;           ///< states, counts and the patch of contacts
+  double rays_s = 0;             ///< refitting the tree of triangles, casting rays
+  double association_s = 0;      ///< node association, collecting the contacts
+  double vertex_contacts_s = 0;  ///< finding contacts of vertices and edges
+  double displacement_s = 0;     ///< displacing tissue, with its response
+  double report_s = 0;           ///< node states, counts and the contact patch
 };
 
 /// The collision method of the paper on plain arrays: node ray casting, feasibility by node association,
-/// enforced displacement with or without momentum (METHOD sections 3 to 5). One object belongs to one run.
+/// enforced displacement with or without momentum (contact/METHOD.md 3 to 6). One object belongs to one run.
 class NodeContact {
  public:
   NodeContact(const Scene& scene, NodeContactSettings settings);
 
-  /// One step, after the engine's own solve: moves its positions_m in place, and tool_bodies with response
-  /// momentum. inverse_masses: one per vertex
-  /// in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch has.
+  /// One step, after the engine's own solve: moves the step's positions_m in place, and tool_bodies with
+  /// response momentum. inverse_masses: [vertex] 1/kg, 0: fixed. Fills `patch` and all of `outcome` except
+  /// vertex_contact, which is in the patch.
   void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
             ContactPatch& patch);
 
-  /// The share of each vertex's displacement in the last step that changes its velocity; empty for response
-  /// none.
+  /// [vertex] part of its displacement in the last step that changes its velocity; empty with response none.
   std::span<const Vec3> motion_m() const;
 
+  /// Rays cast and ray-triangle tests made so far.
   long long rays() const { return rays_.rays(); }
   long long rayTests() const { return rays_.tests(); }
   const DisplacementCounts& displacementCounts() const;
@@ -72,7 +73,8 @@ class NodeContact {
  private:
   void detect(const StepView& step, StageClock& clock);
   void collectConstraints();
-  /// Moves the tissue; the reaction on the tools, newtons: a body's momentum over its own time.
+  /// Moves the tissue and returns the reaction on the tools, newtons: momentum in each body's own time over
+  /// that time.
   Vec3 respond(const StepView& step, std::span<const double> inverse_masses);
   void respondOnGround(const StepView& step, std::span<const double> inverse_masses);
   void shareReaction(double dt_s, std::vector<Vec3>& tool_reactions_N) const;
@@ -84,27 +86,27 @@ class NodeContact {
 
   NodeContactSettings settings_;
   NodeRays rays_;
-  std::vector<NodeAssociation> associations_;  ///< one a body
+  std::vector<NodeAssociation> associations_;  ///< one per body
   std::optional<VertexSides> vertex_sides_;
   std::optional<RimEdges> rim_edges_;
   EnforcedDisplacement displacement_;
-  std::optional<ContactImpulses> impulses_;  ///< response momentum
+  std::optional<ContactImpulses> impulses_;  ///< only with response momentum
   std::optional<GroundContact> ground_;
   int node_count_;
-  std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
-  std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
+  std::vector<double> force_factors_;  ///< [vertex] square of the scene's time over the body's own
+  std::vector<double> frictions_;      ///< [vertex] coefficient of its body; empty: no contact has friction
   ContactTimes times_;
 
-  /// One a tool, 1: in the first step it was deeper in tissue than a margin, and its nodes have had contact
-  /// ever since: vertices and edges are left to them.
+  /// [tool] 1: it was deeper in tissue than a margin in the first step and its nodes have had contact ever
+  /// since, so that contacts of vertices and edges are left out.
   std::vector<std::uint8_t> put_inside_;
   bool first_step_ = true;
   std::vector<NodeCandidate> candidates_;
-  /// Of the acting candidates, then of vertices and edges; in a response those of the ground follow.
+  /// Contacts of the acting candidates, then of vertices and edges, then, during a response, of the ground.
   std::vector<ContactConstraint> constraints_;
   std::vector<Vec3> solved_m_;        ///< positions before the contacts; only with a ground
-  std::size_t node_constraints_ = 0;  ///< how many of them are candidates'
-  /// Of each constraint before it acts: how far it is short of its target. Empty where one tool takes all.
+  std::size_t node_constraints_ = 0;  ///< number of constraints that stem from candidates
+  /// [constraint] its shortfall from the target before the response; empty for a single tool.
   std::vector<double> displacements_m_;
 };
 

@@ -11,15 +11,15 @@
 
 namespace fissure {
 
-/// Step one of the method, node ray casting: from a margin in front of each node a ray runs back into the
-/// tool and out behind it. The first triangle of a body that it meets tells whether it started inside that
-/// body, and how far behind the node the tissue's surface lies (METHOD section 3). A node that went right
-/// through and out again in one step has no such triangle: then its path in the step, relative to the
-/// tissue's, is cast, and the surface it went in through counts.
+/// Node ray casting (contact/METHOD.md 3): from a margin in front of each node a ray runs back into the tool
+/// and out behind it. The first triangle of a body that it hits shows whether the ray starts inside that
+/// body, and how far behind the node the tissue surface lies. A node that went right through a body and out
+/// again in one step has no such triangle: then its path in the step, relative to the tissue, is cast, and
+/// the surface through which it entered counts.
 class NodeRays {
  public:
-  /// margins_m: one a body, how far in front of a node tissue is held. ray_length_m: no value: each body's
-  /// extent at rest; never shorter than a node's travel in the step.
+  /// margins_m: [body] distance at which contacts hold tissue in front of a node. ray_length_m: length of
+  /// rays, at least the node's displacement in the step; no value: each body's extent at rest.
   NodeRays(const Scene& scene, std::vector<double> margins_m, std::optional<double> ray_length_m);
 
   /// Appends the candidates of one body to `candidates`.
@@ -27,8 +27,8 @@ class NodeRays {
 
   int bodyCount() const { return static_cast<int>(bodies_.size()); }
   int firstFace(int body) const { return bodies_[body].first_face; }
-  /// Cast so far; a node outside the body's box needs none but for its path, and that only where node and
-  /// tissue moved more than a margin.
+  /// Rays cast so far. A node outside of a body's bounding box needs none, except for its path where node and
+  /// tissue moved by more than a margin relative to each other.
   long long rays() const { return rays_; }
   long long tests() const { return tests_; }  ///< ray-triangle tests so far
 
@@ -43,7 +43,7 @@ class NodeRays {
     int first_vertex = 0, first_face = 0, vertex_count = 0;
     double extent_m = 0;
     double margin_m = 0;
-    Vec3 mean_travel_m = Vec3::Zero();  ///< of the vertices in this step
+    Vec3 mean_travel_m = Vec3::Zero();  ///< mean displacement of the vertices in this step
     double largest_travel_m = 0;
 
     void noteTravel(const Tissue& tissue);
@@ -51,10 +51,10 @@ class NodeRays {
   struct Node {
     int tool = 0;
     Vec3 position_m, normal;  ///< tool frame
-    bool all_sides = false;   ///< the tool has nodes on all its sides
+    bool all_sides = false;   ///< ToolNodes::all_sides of its tool
   };
 
-  /// A node in this step, scene frame.
+  /// The path of a node in this step, and its normal at the end, scene frame.
   struct Path {
     Vec3 from_m, to_m, normal;
   };

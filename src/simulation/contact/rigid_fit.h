@@ -6,22 +6,26 @@
 
 namespace fissure {
 
-/// The rigid motion that a soft body as a whole has made since rest: the rotation R and shift that minimise
-/// sum(a |x - x_mean - R (X - X_mean)|^2) over its vertices (Kabsch 1976; METHOD: force, `corotated`). X: at
-/// rest, x: now, means weighted alike. a: a third of the rest area of the triangles around the vertex, so
-/// that the motion does not hang on how the surface is triangulated or its mass spread. Never a reflection.
+/// The best-fit rigid motion of a soft body since rest: the rotation R and translation that minimise sum(a |x
+/// - x_mean - R (X - X_mean)|^2) over its vertices (Kabsch 1976; contact/METHOD.md 12, `corotated`), with
+/// positions X at rest and x now. The weight a, also of the means, is a third of the rest area of the
+/// triangles around the vertex, so that the fit does not depend on the triangulation or the distribution of
+/// mass. R is never a reflection.
 class RigidFit {
  public:
   explicit RigidFit(const SceneBody& body);
 
-  /// Fits R to `positions_m` (of all bodies). A position that is not finite makes everything NaN.
+  /// Fits the motion to `positions_m` ([vertex] of all bodies, scene frame). Non-finite positions make all
+  /// results NaN.
   void fit(const std::vector<Vec3>& positions_m);
-  /// The rates of the fitted motion for `velocities_m_s` at the positions of the last fit().
+  /// Computes the rates of the fitted motion for `velocities_m_s` ([vertex] of all bodies) at the positions
+  /// of the last fit().
   void fitRates(const std::vector<Vec3>& velocities_m_s);
 
-  /// Moves a point of the tissue back by the fitted motion, to where rest can be compared with it.
+  /// Moves a point (scene frame) back by the fitted motion, so that it can be compared with its rest
+  /// position.
   Vec3 toRest(const Vec3& point_m) const;
-  /// Velocity of toRest() of a point that moves with `velocity_m_s`.
+  /// Rate of change of toRest() for a point that moves with `velocity_m_s`.
   Vec3 velocityInRest(const Vec3& point_m, const Vec3& velocity_m_s) const;
 
  private:

@@ -10,17 +10,17 @@
 
 namespace fissure {
 
-/// Beyond the paper: contacts where an edge of the tissue crosses the rim of a box tool's large faces in
-/// between its nodes. Such a crease cuts into the tool though no tissue vertex does and no node sees it. The
-/// crossing point is held in front of the large face it came from. Where a tool was put into tissue, deeper
-/// than contacts leave it, edges are free: the nodes push the tool out. One object belongs to one run.
+/// Contacts where a tissue edge crosses the rim of a box tool's large faces between its nodes
+/// (contact/METHOD.md 7; not in the paper). Such a crease cuts into the tool although no tissue vertex does
+/// and no node ray hits it. The crossing point is held in front of the large face from which it came. One
+/// object belongs to one run.
 class RimEdges {
  public:
-  /// margins_m: one a body. max_displacement_m: how far a crossing may be pushed in a step beyond its own
-  /// approach, as NodeContactSettings says.
+  /// margins_m: [body]. max_displacement_m: cap on the displacement of a crossing in a step, beyond the
+  /// approach in that step.
   RimEdges(const Scene& scene, const std::vector<double>& margins_m, double max_displacement_m);
 
-  /// Appends one constraint for each crossing. put_inside: as VertexSides::find has it.
+  /// Appends one constraint per crossing. put_inside: [tool] 1: the tool is ignored; empty: no tool is.
   void find(const StepView& step, std::span<const std::uint8_t> put_inside,
             std::vector<ContactConstraint>& constraints);
 
@@ -28,7 +28,7 @@ class RimEdges {
   struct Box {
     int tool = 0;
     Vec3 half_m;
-    int thin_axis = 0;  ///< across the large faces
+    int thin_axis = 0;  ///< the axis across the large faces
   };
   struct Edge {
     std::array<int, 2> vertices{};
@@ -39,7 +39,8 @@ class RimEdges {
   double max_displacement_m_;
   std::vector<Box> boxes_;
   std::vector<Edge> edges_;
-  std::vector<Vec3> local_m_, local_before_m_;  ///< the tissue in one box's frame, now and before
+  /// Tissue vertices in the frame of one box, now and at the start of the step.
+  std::vector<Vec3> local_m_, local_before_m_;
 };
 
 }  // namespace fissure

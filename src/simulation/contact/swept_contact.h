@@ -17,76 +17,77 @@
 namespace fissure {
 
 struct SweptContactSettings {
-  /// Responses to what crosses a tool, at most, after the one to what is near; then tissue that still crosses
-  /// is stopped. 0: no response at all.
+  /// Largest number of further responses, to pairs that cross, after the response to pairs that are near;
+  /// then tissue that still crosses is stopped. 0: no response at all.
   int rounds = 4;
-  int sweeps = 30;                    ///< Gauss-Seidel sweeps over the contacts in each of them
-  double max_displacement_m = 0.005;  ///< way on which a tool that starts in tissue is freed in a step
-  std::vector<double> margins_m;      ///< one a body: how far in front of the tool the tissue is held
-  std::vector<double> time_scales;    ///< one a body: its own time over the scene's; empty: 1 each
-  /// Coulomb's coefficient of tissue on tool is the product of the body's and the tool's; empty:
-  /// frictionless.
+  int sweeps = 30;  ///< Gauss-Seidel sweeps over the contacts in each response
+  /// Largest displacement per step of a tool that starts in tissue and is freed.
+  double max_displacement_m = 0.005;
+  std::vector<double> margins_m;    ///< [body] distance at which contacts hold tissue in front of a tool
+  std::vector<double> time_scales;  ///< [body] its own time over the scene's; empty: 1 each
+  /// [body] and [tool]: the friction coefficient of a contact is the product of the two; empty: frictionless.
   std::vector<double> body_frictions, tool_frictions;
-  std::optional<HalfSpace> ground;  ///< no value: none of this method's
-  bool single_precision = false;    ///< of the engine: positions are rounded to it before they are checked
+  std::optional<HalfSpace> ground;  ///< no value: the ground is not this method's
+  /// The engine's precision, to which positions are rounded before they are checked.
+  bool single_precision = false;
 };
 
 /// Wall time of SweptContact's steps so far, seconds.
 struct SweptTimes {
-  double search_s = 0;        ///< for pairs that are near and for pairs that cross
-  double displacement_s = 0;  ///< of the tissue, with its response
+  double search_s = 0;        ///< search for pairs that are near and that cross
+  double displacement_s = 0;  ///< displacing tissue, with its response
   double truncation_s = 0;
-  double report_s = 0;  ///< states, counts and the patch of contacts
+  double report_s = 0;  ///< states, counts and the contact patch
 };
 
-/// Contact of all of the tools' surface with all of the tissue's (METHOD section 9): pairs that are near when
-/// the step begins are held apart by impulses; the result is searched for pairs that cross on the path of the
-/// step, and these are held apart too, from the engine's solve again. What still crosses after the last round
-/// is stopped on its path. No step ends with tissue in a tool but where there is no room for it. The ground
-/// is one more such obstacle, with contacts of its own among those of the tools, and no step ends with tissue
-/// below it but with fixed vertices. Tissue against itself and against other tissue is not covered. One
+/// Contact of the whole surface of tools with the whole surface of tissue (contact/METHOD.md 8). Pairs of
+/// features that are near when the step begins are held apart by impulses. The result is searched for pairs
+/// that cross on the path of the step; these are added, and the response is repeated from the engine's solve.
+/// Tissue that still crosses after the last round is stopped on its path (PathTruncation). No step ends with
+/// tissue in a tool unless there is no room for it. The ground is a further obstacle; of tissue only fixed
+/// vertices can end a step below it. Tissue against itself and against other tissue is not covered. One
 /// object belongs to one run.
 ///
-/// What would cross without any contact is not looked for: in one step the tissue's own stiffness would take
-/// it a millimetre into a tool that holds it, and which pairs it crosses there, with which normals, changes
-/// from step to step.
+/// Pairs that would cross without any contact are not searched for: in one step the tissue's own stiffness
+/// would take it a millimetre into a tool that holds it, and the pairs and normals there change from step to
+/// step.
 ///
-/// The force of a triangle counts in full where a contact holds it, and fades out as contacts are farther
-/// from the tool than a margin: at three margins none counts. Contacts at a vertex count in full for its
-/// triangles, others in proportion to their barycentric coordinates. So triangles come and go without jumps.
-/// Pairs that cross count only at vertices where none was near. Contacts with the ground are no colliding
-/// state.
+/// For force laws the force of a triangle counts in full where a contact is within a margin of the tool and
+/// fades out to zero at three margins, so that triangles enter and leave the sum without jumps. Contacts at a
+/// vertex count in full for its triangles, others in proportion to their barycentric coordinates. Pairs that
+/// cross count only at vertices without a near pair. Contacts with the ground are no colliding state.
 ///
-/// A tool that overlaps tissue in the first step, or after a step without room, is taken for one that stands
-/// beside it and comes back, max_displacement_m a step.
+/// A tool that overlaps tissue in the first step, or after a step without room, is treated as if it stood
+/// beside the tissue and returned by max_displacement_m per step (contact/METHOD.md 10).
 ///
-/// A tool that is a body (StepView::tool_bodies) has another end pose after each response: what crosses is
-/// looked for against that, and what is stopped pushes it too.
+/// A tool that is a body (StepView::tool_bodies) has a new end pose after each response, which the search for
+/// crossings uses; stopped tissue pushes it too.
 class SweptContact {
  public:
   SweptContact(const Scene& scene, SweptContactSettings settings);
 
-  /// One step, after the engine's own solve: moves its positions_m and tool_bodies in place. inverse_masses:
-  /// one per vertex in 1/kg, 0: fixed. Fills `patch` and all of `outcome` but vertex_contact, which the patch
-  /// has.
+  /// One step, after the engine's own solve: moves the step's positions_m and tool_bodies in place.
+  /// inverse_masses: [vertex] 1/kg, 0: fixed. Fills `patch` and all of `outcome` except vertex_contact, which
+  /// is in the patch.
   void step(const StepView& step, std::span<const double> inverse_masses, ContactOutcome& outcome,
             ContactPatch& patch);
 
-  /// The share of each vertex's displacement in the last step that changes its velocity.
+  /// [vertex] part of its displacement in the last step that changes its velocity.
   std::span<const Vec3> motion_m() const { return impulses_.motion_m(); }
   const DisplacementCounts& displacementCounts() const { return impulses_.counts(); }
   const TruncationCounts& truncationCounts() const { return truncation_.counts(); }
+  /// Number of responses so far.
   long long rounds() const { return rounds_; }
-  /// Steps at whose end a tool that stood in tissue had not come back to its place.
+  /// Number of steps so far at whose end a tool that started in tissue had not yet returned to its place.
   long long freeingSteps() const { return freeing_steps_; }
   const SweptTimes& times() const { return times_; }
 
  private:
-  /// What a constraint stems from.
+  /// The pair of features from which a constraint was made.
   struct Source {
     int obstacle = 0;
     SweptPair pair;
-    int earlier = -1;  ///< the constraint before it with the same first vertex
+    int earlier = -1;  ///< index of the previous constraint with the same first vertex; -1: none
   };
 
   void placeTools(const StepView& step);
@@ -106,29 +107,30 @@ class SweptContact {
   SweptContactSettings settings_;
   std::size_t body_count_, tool_count_;
   int face_count_;
-  std::vector<SweptObstacle> obstacles_;  ///< tool by tool, body by body
+  std::vector<SweptObstacle> obstacles_;  ///< all pairs of tool and body, tool by tool
   std::optional<GroundContact> ground_;
   ContactImpulses impulses_;
   PathTruncation truncation_;
-  std::vector<double> force_factors_;  ///< one a vertex: the scene's time over its own, squared
-  std::vector<double> frictions_;      ///< one a vertex: its body's; empty: no contact has friction
+  std::vector<double> force_factors_;  ///< [vertex] square of the scene's time over the body's own
+  std::vector<double> frictions_;      ///< [vertex] coefficient of its body; empty: no contact has friction
   long long rounds_ = 0, freeing_steps_ = 0;
   SweptTimes times_;
 
   bool may_overlap_ = true;
-  std::vector<Vec3> beside_m_;  ///< one a tool: from where it is to where it is taken to be
-  /// Tools as contacts take them: where the path of the step begins, and, `beside` alike at both ends, when
-  /// the step began and now.
+  std::vector<Vec3> beside_m_;  ///< [tool] displacement from its position to where it is assumed to be
+  /// [tool] assumed poses: at the beginning of the step's path, and, shifted by beside_m_, at the start and
+  /// the end of the step.
   std::vector<ToolState> path_from_, tools_before_, tools_now_;
-  std::vector<Vec3> solved_m_;                  ///< positions before the contacts
-  std::vector<ContactConstraint> constraints_;  ///< of tools; in a response those of the ground follow
-  std::vector<Source> sources_;                 ///< one a constraint of a tool
-  std::size_t near_count_ = 0;  ///< how many of them, the first ones, were near when the step began
-  std::vector<std::uint8_t> near_contact_;  ///< per vertex, 1: one of those counts at it
-  std::vector<int> latest_;  ///< per vertex: the last constraint with it as its first vertex; -1: none
+  std::vector<Vec3> solved_m_;  ///< positions before the contacts
+  /// Those of tools; during a response those of the ground follow.
+  std::vector<ContactConstraint> constraints_;
+  std::vector<Source> sources_;             ///< one per constraint of a tool
+  std::size_t near_count_ = 0;              ///< number of constraints, the first ones, from near pairs
+  std::vector<std::uint8_t> near_contact_;  ///< [vertex] 1: one of these counts at it
+  std::vector<int> latest_;  ///< [vertex] index of the last constraint with this first vertex; -1: none
   std::vector<SweptPair> found_;
-  std::vector<int> responders_;  ///< vertices of contacts in the last response, some more than once
-  std::vector<int> moved_;       ///< those of one body, indices in it
+  std::vector<int> responders_;  ///< vertices of the contacts in the last response, possibly repeated
+  std::vector<int> moved_;       ///< those of one body, as indices in it
 };
 
 }  // namespace fissure

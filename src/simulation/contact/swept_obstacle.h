@@ -9,7 +9,7 @@
 
 namespace fissure {
 
-/// One tool as one body meets it: all is in the tool's frame, where the tool rests.
+/// One tool as an obstacle of one body. Everything is in the tool's frame, in which the tool rests.
 struct SweptObstacle {
   SweptObstacle(const Scene& scene, std::size_t of_tool, std::size_t of_body, double margin)
       : tool(static_cast<int>(of_tool)),
@@ -23,13 +23,13 @@ struct SweptObstacle {
 
   int tool;
   std::size_t body;
-  std::size_t first_vertex, first_face;  ///< of the body, over all bodies
-  double margin_m;                       ///< how far in front of the tool the body is held
+  std::size_t first_vertex, first_face;  ///< offsets of the body in [vertex] and [face] arrays
+  double margin_m;                       ///< distance at which contacts hold the body in front of the tool
   SweptPairs pairs;
-  std::vector<Vec3> before_m, now_m;  ///< of the body's vertices, when the step began and now
+  std::vector<Vec3> before_m, now_m;  ///< positions of the body's vertices when the step began and now
 
   TissuePath path() const { return {before_m, now_m}; }
-  /// `positions_m`: of all bodies, scene frame.
+  /// Sets before_m (or now_m) from `positions_m` of all bodies, scene frame, and the pose of the tool.
   void setBefore(const Pose& tool_pose, std::span<const Vec3> positions_m) {
     const ToToolFrame to_tool(tool_pose);
     for (std::size_t v = 0; v < before_m.size(); ++v) before_m[v] = to_tool(positions_m[first_vertex + v]);
@@ -38,14 +38,14 @@ struct SweptObstacle {
     const ToToolFrame to_tool(tool_pose);
     for (std::size_t v = 0; v < now_m.size(); ++v) now_m[v] = to_tool(positions_m[first_vertex + v]);
   }
-  /// setNow where only these vertices of the body moved since.
+  /// The same where only the vertices `moved`, indices in the body, have changed.
   void setNow(const Pose& tool_pose, std::span<const Vec3> positions_m, std::span<const int> moved) {
     const ToToolFrame to_tool(tool_pose);
     for (const int v : moved) now_m[v] = to_tool(positions_m[first_vertex + v]);
   }
 
  private:
-  /// As Pose::toBody, for many points.
+  /// As Pose::toBody, with a precomputed matrix for many points.
   struct ToToolFrame {
     explicit ToToolFrame(const Pose& pose)
         : rotation(pose.orientation.conjugate().toRotationMatrix()), origin_m(pose.position_m) {}

@@ -9,22 +9,25 @@
 
 namespace fissure {
 
-/// u, the displacement of every triangle's centroid from rest, by one kind of deformation, and its rate u'.
-/// Corotated vectors are in the frame of the body at rest, so that turning as a whole is no rate either.
+/// The displacement u of every triangle's centroid from rest, for one kind of deformation, and its rate u'
+/// (contact/METHOD.md 12). Corotated vectors are in the frame of the body at rest, so that a rotation of the
+/// whole body contributes to neither; others are in the scene frame.
 class TriangleDeformation {
  public:
-  /// `sources`: those that will be asked for; nothing is kept for the others.
+  /// `sources`: the sources of rates that will be asked for; nothing is kept for others.
   TriangleDeformation(const Scene& scene, DeformationKind kind, const std::vector<RateSource>& sources,
                       double step_s);
 
-  /// Once a step, before the rest.
+  /// To be called once per step, before the functions below.
   void update(const State& state);
 
+  /// u of a triangle, metres, and u' of a triangle, m/s. Triangles are counted over all bodies.
   Vec3 displacement(std::size_t triangle) const { return now_m_[triangle] - rest_m_[triangle]; }
   Vec3 rate(std::size_t triangle, RateSource source, const State& state) const;
 
   DeformationKind kind() const { return kind_; }
-  long long rigidFits() const { return rigid_fits_; }  ///< made so far: one a body and step if corotated
+  /// Number of rigid fits so far: one per body and step if corotated.
+  long long rigidFits() const { return rigid_fits_; }
 
  private:
   struct Triangle {
@@ -37,9 +40,9 @@ class TriangleDeformation {
   bool differences_ = false, velocities_ = false;
   double step_s_;
   std::vector<Triangle> triangles_;
-  std::vector<RigidFit> fits_;        ///< one a body; none for paper
+  std::vector<RigidFit> fits_;        ///< one per body; empty for `paper`
   std::vector<Vec3> rest_m_, now_m_;  ///< centroids
-  std::vector<Vec3> last_m_;          ///< of the last step; empty without differences
+  std::vector<Vec3> last_m_;          ///< centroids of the last step; empty without differences
   long long rigid_fits_ = 0;
 };
 

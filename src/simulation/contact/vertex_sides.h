@@ -10,18 +10,18 @@
 
 namespace fissure {
 
-/// Beyond the paper: contacts for tissue vertices that slip in between the nodes of a box tool. Each vertex
-/// remembers from which face of the box it came; a vertex within a margin of the box is held in front of that
-/// face, and one that crossed the box within a step in front of the face it entered through. A vertex that
-/// starts inside has no side and gets no contact; one that starts within the margin is on the nearest side.
-/// One object belongs to one run.
+/// Contacts for tissue vertices that slip between the nodes of a box tool (contact/METHOD.md 7; not in the
+/// paper). Each vertex remembers the face of the box from which it came: a vertex within a margin of the box
+/// is held in front of that face, and one that crossed the box within a step is held in front of the face
+/// through which it entered. A vertex that starts inside the box has no side and gets no contact; one that
+/// starts within the margin is on the nearest side. One object belongs to one run.
 class VertexSides {
  public:
-  /// margins_m: one a body.
+  /// margins_m: [body].
   VertexSides(const Scene& scene, const std::vector<double>& margins_m);
 
-  /// Appends one constraint for each vertex that must be held in front of its side. put_inside: one per tool,
-  /// 1: as if the tool were not there; empty: every tool counts.
+  /// Appends one constraint for each vertex that must be held in front of its side. put_inside: [tool] 1: the
+  /// tool is ignored; empty: no tool is.
   void find(const StepView& step, std::span<const std::uint8_t> put_inside,
             std::vector<ContactConstraint>& constraints);
 
@@ -31,11 +31,11 @@ class VertexSides {
   struct Box {
     int tool = 0;
     Vec3 half_m;
-    std::vector<std::int8_t> sides;  ///< per vertex: 2 x axis + (0: positive, 1: negative face); kNoSide
+    std::vector<std::int8_t> sides;  ///< [vertex] 2 x axis + (0: positive, 1: negative face), or kNoSide
   };
 
   std::vector<Box> boxes_;
-  std::vector<double> margins_m_;  ///< per vertex
+  std::vector<double> margins_m_;  ///< [vertex]
 };
 
 }  // namespace fissure

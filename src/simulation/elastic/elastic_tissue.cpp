@@ -1,5 +1,7 @@
 #include "elastic/elastic_tissue.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -38,8 +40,8 @@ std::vector<double> invertedUnlessFixed(const std::vector<double>& masses_kg,
   for (const double mass_kg : masses_kg) inverse.push_back(1 / mass_kg);
   for (const int vertex : fixed_vertices) {
     if (vertex < 0 || vertex >= static_cast<int>(inverse.size()))
-      throw std::invalid_argument("elastic tissue: fixed vertex " + std::to_string(vertex) +
-                                  " is none of its " + std::to_string(inverse.size()));
+      throw std::invalid_argument(
+          fmt::format("elastic tissue: fixed vertex {} is none of its {}", vertex, inverse.size()));
     inverse[vertex] = 0;
   }
   return inverse;
@@ -86,6 +88,8 @@ struct ElasticTissue::Arrays {
   std::vector<Growth> foreseen;        ///< scratch of substepsFor()
   double step_s = 0;                   ///< of the last substepsFor()
   int substeps = 0;                    ///< that it gave
+  bool changed_tempo = false;          ///< since it: then nothing is foreseen from before
+  int substeps_when_slow = 0;          ///< the same at the last changeTempo() to a faster one
   double substep_s = 0;                ///< of the last advance()
   double viscous_loss_J = 0, mass_damping_loss_J = 0, contact_work_J = 0;
 };
@@ -100,8 +104,8 @@ ElasticTissue::ElasticTissue(const TetrahedralMesh& rest, const ElementMaterials
                              const Vec3& gravity_m_s2)
     : arrays_(std::make_unique<Arrays>(rest, materials, fixed_vertices)) {
   if (surface_vertices < 0 || surface_vertices > static_cast<int>(rest.vertices_m.size()))
-    throw std::invalid_argument("elastic tissue: " + std::to_string(surface_vertices) +
-                                " surface vertices of " + std::to_string(rest.vertices_m.size()));
+    throw std::invalid_argument(
+        fmt::format("elastic tissue: {} surface vertices of {}", surface_vertices, rest.vertices_m.size()));
   arrays_->surface_vertices = static_cast<std::size_t>(surface_vertices);
   arrays_->gravity_m_s2 = gravity_m_s2;
 }
@@ -128,16 +132,26 @@ int ElasticTissue::substepsFor(double step_s) {
   for (std::size_t m = 0; m < a.growths.size(); ++m) {
     const Growth now = {std::max(1.0, largestOf(a.stretches[m].stiffness_growth)),
                         std::max(1.0, largestOf(a.stretches[m].viscous_growth))};
-    a.foreseen[m] = {now.stiffness * std::max(1.0, now.stiffness / a.growths[m].stiffness),
-                     now.viscous * std::max(1.0, now.viscous / a.growths[m].viscous)};
+    const Growth& before = a.changed_tempo ? now : a.growths[m];
+    a.foreseen[m] = {now.stiffness * std::max(1.0, now.stiffness / before.stiffness),
+                     now.viscous * std::max(1.0, now.viscous / before.viscous)};
     a.growths[m] = now;
   }
+  a.changed_tempo = false;
   const double wanted = step_s / (kStepSafety * a.critical.step_s(a.foreseen));
   if (step_s != a.step_s) a.substeps = 1;
   const int whole = wanted < kMostSubsteps ? static_cast<int>(std::ceil(wanted)) : kMostSubsteps;
   a.substeps = std::max(a.substeps, whole);
   a.step_s = step_s;
   return a.substeps;
+}
+
+void ElasticTissue::changeTempo(double factor) {
+  if (factor == 1) return;
+  Arrays& a = *arrays_;
+  if (factor > 1) a.substeps_when_slow = a.substeps;
+  if (factor < 1) a.substeps = a.substeps_when_slow;
+  a.changed_tempo = true;
 }
 
 void ElasticTissue::advance(double substep_s) {
@@ -163,8 +177,8 @@ void ElasticTissue::advance(double substep_s) {
 void ElasticTissue::addMotion(std::span<const Vec3> motion_m, double substep_s) {
   Arrays& a = *arrays_;
   if (motion_m.size() > a.surface_vertices)
-    throw std::invalid_argument("elastic tissue: motion of " + std::to_string(motion_m.size()) +
-                                " vertices, of " + std::to_string(a.surface_vertices));
+    throw std::invalid_argument(
+        fmt::format("elastic tissue: motion of {} vertices, of {}", motion_m.size(), a.surface_vertices));
   for (std::size_t v = 0; v < motion_m.size(); ++v) {
     if (a.inverse_masses_1_kg[v] == 0 || motion_m[v].isZero(0)) continue;
     const Vec3 change_m_s = motion_m[v] / substep_s;

@@ -12,6 +12,8 @@ ElementLaw lawOf(const ElasticMaterial& material, double lambda_Pa) {
   const double mu_Pa = lameConstants(material.youngs_modulus_Pa, material.poissons_ratio).mu_Pa;
   if (material.model == MaterialModel::linear_corotated)
     return {ElementModel::linear_corotated, mu_Pa, lambda_Pa, 1, material.viscosity_Pa_s};
+  if (material.model == MaterialModel::saint_venant_kirchhoff)
+    return {ElementModel::saint_venant_kirchhoff, mu_Pa, lambda_Pa, 1, material.viscosity_Pa_s};
   const double mu = 4.0 / 3 * mu_Pa, lambda = lambda_Pa + 5.0 / 6 * mu_Pa;
   return {ElementModel::neo_hookean, mu, lambda, 1 + 0.75 * mu / lambda, material.viscosity_Pa_s};
 }

@@ -1,5 +1,7 @@
 #include "elastic/element_lanes.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <stdexcept>
 #include <string>
@@ -17,7 +19,7 @@ Mat3 restEdges(const TetrahedralMesh& rest, const Tetrahedron& corners) {
 
 void checkMesh(const TetrahedralMesh& rest) {
   const auto fail = [](const std::string& what, std::size_t which, const std::string& why) {
-    throw std::invalid_argument("elastic tissue: " + what + " " + std::to_string(which) + " " + why);
+    throw std::invalid_argument(fmt::format("elastic tissue: {} {} {}", what, which, why));
   };
   if (rest.tetrahedra.empty()) throw std::invalid_argument("elastic tissue: it has no tetrahedra");
   for (std::size_t v = 0; v < rest.vertices_m.size(); ++v)

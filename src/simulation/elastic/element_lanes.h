@@ -7,40 +7,40 @@
 
 namespace fissure {
 
-/// What the elements of one material have of a vertex. Their slots of it stand one after another.
+/// The share of the elements of one material in a vertex. Their slots of the vertex are contiguous.
 struct VertexShare {
   int vertex = 0;
   int first_slot = 0, end_slot = 0;
-  double volume_m3 = 0;  ///< a quarter of theirs
+  double volume_m3 = 0;  ///< a quarter of the volume of these elements
 };
 
-/// The groups of the elements of one material: none is shared with another.
+/// The groups with the elements of one material; no group has elements of two.
 struct MaterialLanes {
   int first_group = 0, groups = 0;
-  std::vector<VertexShare> shares;  ///< of the vertices they have, ascending
+  std::vector<VertexShare> shares;  ///< of their vertices, ascending
 };
 
-/// The arrays that ElementArrays points to, for a mesh at rest.
+/// Owns the arrays of ElementArrays, for a mesh at rest.
 struct ElementLanes {
-  /// `of_elements`: one a tetrahedron, the number of its material; empty: all have one. Throws
+  /// `of_elements`: [tetrahedron] number of its material; empty: a single material. Throws
   /// std::invalid_argument, with one line, for corners that are no vertices, tetrahedra of no or negative
   /// volume, vertices that are not finite and vertices of no tetrahedron.
   explicit ElementLanes(const TetrahedralMesh& rest, const std::vector<int>& of_elements = {});
 
   ElementArrays view() const;
-  ElementArrays viewOf(const MaterialLanes& material) const;  ///< its groups alone
-  /// Slots that passes write to: one per corner, and one for lanes that fill up a last group.
+  ElementArrays viewOf(const MaterialLanes& material) const;  ///< only the groups of one material
+  /// Number of slots that passes write to: one per corner, and one for the padding lanes of last groups.
   std::size_t slotCount() const { return slot_count; }
 
   int groups = 0;
   std::vector<MaterialLanes> materials;
   std::vector<int> corners, slots, first_slots;
   std::vector<double> inverse_edges, metrics, volumes_m3;
-  std::vector<double> vertex_volumes_m3;  ///< a quarter of what meets at each vertex
+  std::vector<double> vertex_volumes_m3;  ///< [vertex] a quarter of the volume of its elements
   std::size_t slot_count = 0;
 
  private:
-  /// Appends the groups of the elements of one material; `next`: of each vertex, its next free slot.
+  /// Appends the groups of the elements of one material; `next`: [vertex] its next free slot.
   void append(const TetrahedralMesh& rest, const std::vector<std::size_t>& elements, std::vector<int>& next);
 };
 

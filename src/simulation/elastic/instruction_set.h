@@ -7,17 +7,19 @@
 
 namespace fissure {
 
+/// An instruction set for which the passes over elements are compiled.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// What this machine and this build support, from the narrowest to the widest; baseline always.
+/// The instruction sets that this machine and this build support, from the narrowest to the widest; always
+/// with baseline.
 std::vector<InstructionSet> supportedInstructionSets();
 
-/// The widest supported one, or the one that the environment's FISSURE_INSTRUCTIONS names: baseline, avx2 or
-/// avx512. Throws std::invalid_argument, with one line, for any other value and for one that is not supported
-/// here.
+/// The instruction set that the environment variable FISSURE_INSTRUCTIONS names (baseline, avx2 or avx512),
+/// else the widest supported one. Throws std::invalid_argument, with one line, for any other value and for
+/// one that is not supported here.
 InstructionSet chosenInstructionSet();
 
-/// For a supported instruction set.
+/// The passes for a supported instruction set.
 const ElementKernels& elementKernels(InstructionSet set);
 
 std::string nameOf(InstructionSet set);

@@ -1,7 +1,7 @@
 #pragma once
 
-// Included only by the sources of one instruction set each, with FISSURE_LANE_WIDTH doubles in a register:
-// everything here has internal linkage (element_kernels.h).
+// Vectors of FISSURE_LANE_WIDTH doubles. Each source that includes this header is compiled for one
+// instruction set, so everything here has internal linkage (element_kernels.h).
 
 #ifdef __x86_64__
 #include <immintrin.h>

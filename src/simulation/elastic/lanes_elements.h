@@ -1,6 +1,7 @@
 #pragma once
 
-// A register's width of elements: their shape now and at rest. Internal linkage, as lanes.h.
+// Present and rest shapes of as many elements as a vector register has doubles. Internal linkage, as in
+// lanes.h.
 
 #include "elastic/element_kernels.h"
 #include "elastic/lanes_gather.h"
@@ -9,7 +10,7 @@
 namespace fissure {
 namespace {
 
-/// `kWidth` elements of a group.
+/// Pointers to the arrays of `kWidth` elements of a group (see ElementArrays).
 struct Elements {
   const int* corners;
   const int* slots;
@@ -24,7 +25,7 @@ inline Elements elements(const ElementArrays& arrays, int group, int lane) {
           load<Lanes>(arrays.volumes_m3 + 1L * kLanes * group + lane)};
 }
 
-/// Differences from the fourth corner.
+/// Values at the first three corners minus that at the fourth: for positions the edges D.
 struct Edges {
   Vectors at[3];
 };
@@ -35,12 +36,13 @@ inline Edges edges(const Elements& elements, const double* values) {
            gather(values, elements.corners + 2 * kLanes) - fourth}};
 }
 
-/// The areas that the first three corners push on, twice: the cofactors of the matrix of edges.
+/// The cofactors of the matrix of edges: twice the area vectors of the faces opposite to the first three
+/// corners.
 inline Edges areas(const Edges& d) {
   return {{cross(d.at[1], d.at[2]), cross(d.at[2], d.at[0]), cross(d.at[0], d.at[1])}};
 }
 
-/// The inverse of the matrix of rest edges.
+/// The inverse of the matrix of rest edges, B.
 struct InverseEdges {
   Lanes at[3][3];
 };
@@ -51,7 +53,7 @@ inline InverseEdges inverseEdges(const Elements& elements) {
   return b;
 }
 
-/// The edges times the metric of rest, which is the inverse of the matrix of rest edges times its transpose.
+/// D G: the edges times the rest metric G = B B^T.
 inline Edges timesMetric(const Elements& elements, const Edges& d) {
   Lanes g[6];
   for (int k = 0; k < 6; ++k) g[k] = load<Lanes>(elements.metrics + kLanes * k);
@@ -59,7 +61,8 @@ inline Edges timesMetric(const Elements& elements, const Edges& d) {
            g[2] * d.at[0] + g[4] * d.at[1] + g[5] * d.at[2]}};
 }
 
-/// The gradient by the rest position of what has these edges.
+/// The gradient, with respect to the rest position, of the field with these edges: for positions the
+/// deformation gradient F = D B.
 inline Matrices gradient(const InverseEdges& b, const Edges& d) {
   Matrices f;
   for (int j = 0; j < 3; ++j) {
@@ -75,7 +78,7 @@ inline Matrices gradient(const Elements& elements, const double* values) {
   return gradient(inverseEdges(elements), edges(elements, values));
 }
 
-/// Writes forces on the first three corners, and what balances them on the fourth.
+/// Writes forces on the first three corners, and on the fourth the force that balances them.
 inline void scatterForces(const Elements& elements, const Edges& forces, double* to) {
   for (int c = 0; c < 3; ++c) scatter(forces.at[c], elements.slots + kLanes * c, to);
   scatter(Vectors{} - forces.at[0] - forces.at[1] - forces.at[2], elements.slots + 3 * kLanes, to);

@@ -1,6 +1,7 @@
 #pragma once
 
-// Numbers and vectors of vertices and slots, to lanes and back. Internal linkage, as lanes.h.
+// Loads numbers and vectors of vertices into lanes, and stores lanes into slots. Internal linkage, as in
+// lanes.h.
 
 #include "elastic/lanes.h"
 
@@ -28,7 +29,7 @@ inline Vectors cross(const Vectors& a, const Vectors& b) {
 }
 
 #if FISSURE_LANE_WIDTH > 2
-/// Rows of three numbers, and one more that is not used, as columns.
+/// Transposes four rows of three numbers into columns; the number behind each row is read but not used.
 inline void columns(const double* values, const int* rows, Four& x, Four& y, Four& z) {
   const Four a = load<Four>(values + 3L * rows[0]), b = load<Four>(values + 3L * rows[1]),
              c = load<Four>(values + 3L * rows[2]), d = load<Four>(values + 3L * rows[3]);
@@ -53,7 +54,7 @@ inline void scatterFour(const Four& x, const Four& y, const Four& z, const int* 
 }
 #endif
 
-/// The vectors of `kWidth` vertices.
+/// Loads the vectors of `kWidth` vertices.
 inline Vectors gather(const double* values, const int* vertices) {
   Vectors found;
 #if FISSURE_LANE_WIDTH == 8
@@ -72,7 +73,7 @@ inline Vectors gather(const double* values, const int* vertices) {
   return found;
 }
 
-/// Into the slots of `kWidth` corners.
+/// Stores vectors into the slots of `kWidth` corners.
 inline void scatter(const Vectors& values, const int* slots, double* to) {
 #if FISSURE_LANE_WIDTH == 8
   const auto low = [](const Lanes& v) { return __builtin_shufflevector(v, v, 0, 1, 2, 3); };
@@ -91,7 +92,7 @@ inline void scatter(const Vectors& values, const int* slots, double* to) {
 #endif
 }
 
-/// Numbers of `kWidth` vertices.
+/// Loads the numbers of `kWidth` vertices.
 inline Lanes gatherNumbers(const double* values, const int* vertices) {
   Lanes found;
   for (int lane = 0; lane < kWidth; ++lane) found[lane] = values[vertices[lane]];

@@ -1,6 +1,6 @@
 #pragma once
 
-// What lanes know of a deformation gradient F, and the stresses. Internal linkage, as lanes.h.
+// Invariants of the deformation gradient F and the stresses, per lane. Internal linkage, as in lanes.h.
 
 #include "elastic/element_kernels.h"
 #include "elastic/lanes.h"
@@ -8,7 +8,7 @@
 namespace fissure {
 namespace {
 
-/// A matrix per lane, row by row.
+/// A 3x3 matrix per lane, row by row.
 struct Matrices {
   Lanes at[3][3];
 };
@@ -33,8 +33,8 @@ inline Lanes determinant(const Matrices& f, const Matrices& cofactor) {
   return f.at[0][0] * cofactor.at[0][0] + f.at[0][1] * cofactor.at[0][1] + f.at[0][2] * cofactor.at[0][2];
 }
 
-/// Upper bound of the largest eigenvalue of a symmetric 3x3 matrix, whose second invariant sums the products
-/// of two eigenvalues: exact where the other two are equal (Wolkowicz, Styan 1980).
+/// Upper bound of the largest eigenvalue of a symmetric 3x3 matrix from its trace and second invariant (the
+/// sum of products of two eigenvalues); exact where the other two are equal (Wolkowicz, Styan 1980).
 inline Lanes largestEigenvalue(const Lanes& trace, const Lanes& second_invariant) {
   const Lanes spread = larger(trace * trace - 3.0 * second_invariant, all(0));
   return trace / 3.0 + 2.0 / 3.0 * squareRoot(spread);
@@ -42,8 +42,8 @@ inline Lanes largestEigenvalue(const Lanes& trace, const Lanes& second_invariant
 
 /// Largest value of tr(Q^T F) over all rotations Q: the sum of the singular values of F, the smallest with
 /// the sign of det F. It is the largest root of x^4 - 2 I x^2 - 8 J x + I^2 - 4 II with I = |F|^2, II = |cof
-/// F|^2, J = det F (Horn 1987; Theobald 2005). Newton's method comes down to it from sqrt(3 I); a lane that
-/// has arrived stays, so that no lane depends on its neighbours.
+/// F|^2, J = det F (Horn 1987; Theobald 2005). Newton's method descends to it from sqrt(3 I); a lane that has
+/// converged is not changed any more, so that no lane depends on its neighbours.
 inline Lanes rotationTrace(const Lanes& i, const Lanes& ii, const Lanes& j) {
   const Lanes constant = i * i - 4.0 * ii;
   Lanes x = squareRoot(3.0 * i);
@@ -80,7 +80,7 @@ inline Matrices nearestRotation(const Matrices& f, const Matrices& cofactor, con
   return r;
 }
 
-/// First Piola-Kirchhoff stress of the laws that are written in F (material.h); `pressure` is that of nodal
+/// First Piola-Kirchhoff stress of all laws but the neo-Hookean one (material.h); `pressure` is that of nodal
 /// averages.
 template <ElementModel model>
 inline Matrices stress(const Matrices& f, const ElementLaw& law, const Lanes& pressure) {
@@ -90,6 +90,17 @@ inline Matrices stress(const Matrices& f, const ElementLaw& law, const Lanes& pr
     for (int a = 0; a < 3; ++a)
       for (int b = 0; b < 3; ++b) p.at[a][b] = law.mu_Pa * (f.at[a][b] + f.at[b][a]);
     for (int a = 0; a < 3; ++a) p.at[a][a] += of_volume;
+  } else if constexpr (model == ElementModel::saint_venant_kirchhoff) {
+    Lanes s[3][3];  // second Piola-Kirchhoff stress
+    for (int a = 0; a < 3; ++a)
+      for (int b = a; b < 3; ++b)
+        s[a][b] = s[b][a] =
+            law.mu_Pa * (f.at[0][a] * f.at[0][b] + f.at[1][a] * f.at[1][b] + f.at[2][a] * f.at[2][b]);
+    const Lanes of_volume = 0.5 * law.lambda_Pa * (normSquared(f) - 3.0) - law.mu_Pa + pressure;
+    for (int a = 0; a < 3; ++a) s[a][a] += of_volume;
+    for (int a = 0; a < 3; ++a)
+      for (int b = 0; b < 3; ++b)
+        p.at[a][b] = f.at[a][0] * s[0][b] + f.at[a][1] * s[1][b] + f.at[a][2] * s[2][b];
   } else {
     const Matrices cofactor = cofactors(f);
     const Lanes trace = rotationTrace(normSquared(f), normSquared(cofactor), determinant(f, cofactor));

@@ -1,6 +1,6 @@
 #pragma once
 
-// How the vertices move, for one instruction set. Internal linkage, as lanes.h.
+// Moves the vertices by symplectic Euler, for one instruction set. Internal linkage, as in lanes.h.
 
 #include "elastic/element_kernels.h"
 #include "elastic/lanes.h"
@@ -8,7 +8,7 @@
 namespace fissure {
 namespace {
 
-/// The sum of the slots from first[0] to first[1].
+/// The sum of the slots first[0] to first[1] - 1.
 inline void sumSlots(const double* slots, const int* first, double (&sum)[4]) {
 #if FISSURE_LANE_WIDTH > 2
   Four found = {};

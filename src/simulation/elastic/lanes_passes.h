@@ -1,13 +1,14 @@
 #pragma once
 
-// Forces and volume strains of all elements for one instruction set. Internal linkage, as lanes.h.
+// Forces and volume strains of all elements for one instruction set. Internal linkage, as in lanes.h.
 
 #include "elastic/lanes_elements.h"
 
 namespace fissure {
 namespace {
 
-/// Forces of a stress on the first three corners: -V P B^T, B the inverse of the matrix of rest edges.
+/// Forces on the first three corners: -V P B^T with the rest volume V, the first Piola-Kirchhoff stress P and
+/// the inverse B of the matrix of rest edges.
 template <ElementModel model>
 inline Edges stressForces(const Elements& some, const ElementLaw& law, const Edges& d,
                           const Lanes& pressure) {
@@ -22,9 +23,9 @@ inline Edges stressForces(const Elements& some, const ElementLaw& law, const Edg
   return forces;
 }
 
-/// The same of the neo-Hookean law, which needs no F: with the edges D and the metric G, I_C = D . D G, and
-/// the forces are -V mu' I_C / (I_C + 1) D G + lambda' (J - alpha) cof D / 6. A lane that fills up a group
-/// has no volume, and what it writes is never read.
+/// The same for the neo-Hookean law, which needs no F: with the edges D and the rest metric G, I_C = D . D G,
+/// and the forces are -V mu' I_C / (I_C + 1) D G + lambda' (J - alpha) cof D / 6. Padding lanes of a group
+/// have no volume, and their results are never read.
 inline Edges neoHookeanForces(const Elements& some, const ElementLaw& law, const Edges& d,
                               const Edges& d_metric, const Lanes& pressure) {
   const Edges area = areas(d);
@@ -37,8 +38,8 @@ inline Edges neoHookeanForces(const Elements& some, const ElementLaw& law, const
   return forces;
 }
 
-/// Forces of the viscous stress F S, S = eta (F^T L + L^T F), L = dF/dt: -V eta D G M G with M = D^T W + W^T
-/// D, W the rates of the edges.
+/// Forces of the viscous stress F S with S = eta (F^T L + L^T F) and L = dF/dt: -V eta D G M G with M = D^T W
+/// + W^T D and the rates W of the edges.
 inline Edges viscousForces(const Elements& some, const ElementLaw& law, const Edges& d, const Edges& d_metric,
                            const Edges& rate) {
   // Columns of M, and of M G.
@@ -94,9 +95,19 @@ void elementForces(const ElementArrays& arrays, const ElementLaw& law, const For
       return forcesOf<ElementModel::neo_hookean>(arrays, law, pass);
     case ElementModel::linear_corotated:
       return forcesOf<ElementModel::linear_corotated>(arrays, law, pass);
+    case ElementModel::saint_venant_kirchhoff:
+      return forcesOf<ElementModel::saint_venant_kirchhoff>(arrays, law, pass);
     case ElementModel::small_strain:
       return forcesOf<ElementModel::small_strain>(arrays, law, pass);
   }
+}
+
+/// Volume strain of all laws but the neo-Hookean one; element_kernels.h states the measure of each.
+inline Lanes volumeStrain(const ElementLaw& law, const Matrices& f) {
+  if (law.model == ElementModel::small_strain) return f.at[0][0] + f.at[1][1] + f.at[2][2];
+  if (law.model == ElementModel::saint_venant_kirchhoff) return 0.5 * (normSquared(f) - 3.0);
+  const Matrices cofactor = cofactors(f);
+  return rotationTrace(normSquared(f), normSquared(cofactor), determinant(f, cofactor)) - 3.0;
 }
 
 void elementVolumeStrains(const ElementArrays& arrays, const ElementLaw& law, const double* positions_m,
@@ -109,10 +120,8 @@ void elementVolumeStrains(const ElementArrays& arrays, const ElementLaw& law, co
       if (law.model == ElementModel::neo_hookean) {
         strain = dot(d.at[0], cross(d.at[1], d.at[2])) * load<Lanes>(some.metrics + 6 * kLanes) - 1.0;
       } else {
-        const Matrices f = gradient(inverseEdges(some), d), cofactor = cofactors(f);
-        strain = law.model == ElementModel::small_strain
-                     ? f.at[0][0] + f.at[1][1] + f.at[2][2]
-                     : rotationTrace(normSquared(f), normSquared(cofactor), determinant(f, cofactor)) - 3.0;
+        const Matrices f = gradient(inverseEdges(some), d);
+        strain = volumeStrain(law, f);
       }
       strain *= some.volumes_m3;
       for (int c = 0; c < 4; ++c) scatterNumbers(strain, some.slots + kLanes * c, slots);

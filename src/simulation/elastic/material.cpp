@@ -1,5 +1,7 @@
 #include "elastic/material.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -48,12 +50,12 @@ ElementMaterials distinctMaterials(const ElementMaterials& given, std::size_t el
   }
   if (given.of_elements.empty()) return {{materials[0]}, {}};
   if (given.of_elements.size() != elements)
-    fail(std::to_string(given.of_elements.size()) + " elements have one, of " + std::to_string(elements));
+    fail(fmt::format("{} elements have one, of {}", given.of_elements.size(), elements));
 
   std::vector<bool> used(materials.size());
   for (const int material : given.of_elements) {
     if (material < 0 || material >= static_cast<int>(materials.size()))
-      fail(std::to_string(material) + " is none of " + std::to_string(materials.size()));
+      fail(fmt::format("{} is none of {}", material, materials.size()));
     used[static_cast<std::size_t>(material)] = true;
   }
   ElementMaterials distinct;

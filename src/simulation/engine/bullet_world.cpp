@@ -100,6 +100,12 @@ void BulletWorld::readVelocities(std::vector<Vec3>& velocities_m_s) const {
   }
 }
 
+void BulletWorld::scaleVelocities(double factor) {
+  for (const auto& body : bodies_) {
+    for (int i = 0; i < body->m_nodes.size(); ++i) body->m_nodes[i].m_v *= static_cast<btScalar>(factor);
+  }
+}
+
 void BulletWorld::writePositions(const std::vector<Vec3>& positions_m) {
   std::size_t vertex = 0;
   for (const auto& body : bodies_) {

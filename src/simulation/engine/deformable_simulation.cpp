@@ -38,6 +38,10 @@ class SubstepCount {
     return tissue_->substepsFor(step_s);
   }
 
+  void changeTempo(double factor) {
+    if (tissue_) tissue_->changeTempo(factor);
+  }
+
  private:
   static constexpr double kStockStep_s = 1.0 / 240;  // of Bullet's examples
   std::optional<int> given_;
@@ -88,6 +92,13 @@ class DeformableSimulation : public Simulation {
     collect();
     state().volume->substeps = substeps;
     stepped_.endStep();
+  }
+
+  void changeTempo(double factor) override {
+    substeps_.changeTempo(factor);
+    if (factor >= 1) return;
+    btSoftBody& body = world_.body();
+    for (int i = 0; i < body.m_nodes.size(); ++i) body.m_nodes[i].m_v *= static_cast<btScalar>(factor);
   }
 
   State& state() override { return stepped_.state(); }

@@ -9,43 +9,43 @@
 
 namespace fissure {
 
-/// What one step of Bullet's deformable world gave the surface vertices, one each.
+/// The result of a step of Bullet's deformable world for the surface vertices; [vertex] arrays, scene frame.
 struct TouchedSurface {
-  std::span<const Vec3> positions_m;   ///< at its end
-  std::span<const Vec3> impulses_N_s;  ///< of contacts, where there are any
+  std::span<const Vec3> positions_m;   ///< at the end of the step
+  std::span<const Vec3> impulses_N_s;  ///< impulse of contacts on the vertex; zero without contact
 };
 
-/// Who touched whom in a step of Bullet's deformable world, and how contacts share what the vertices got: the
-/// obstacles of a vertex by the number of its contacts with each.
+/// The contacts in a step of Bullet's deformable world. The impulse on a vertex is divided among its
+/// obstacles, tools and ground, by the numbers of its contacts with them.
 class DeformableTouch {
  public:
-  /// Vertices of the scene, its tools, and the ground where there is one.
+  /// For the vertices and tools of the scene, and the ground where there is one.
   DeformableTouch(DeformableWorld& world, const Scene& scene);
 
-  /// The contacts of the last step, into `patch` those that bear.
+  /// Reads the contacts of the last step, and adds those with an impulse to `patch`.
   void read(ContactPatch& patch);
   int candidates() const { return candidates_; }  ///< contacts that Bullet's detection found
-  int bearing() const { return bearing_; }        ///< of these, with an impulse
-  /// Whether the vertex belongs to a contact, bearing or not: Bullet's solve holds it by either.
+  int bearing() const { return bearing_; }        ///< contacts with an impulse
+  /// Whether the vertex belongs to a contact, with an impulse or not: Bullet's solve holds it in both cases.
   bool touches(std::size_t vertex) const { return contacts_[vertex] > 0; }
 
-  /// Adds forces on tools and ground and the tools' work in the step to `outcome`.
+  /// Adds the forces on tools and ground, and the work of the tools in the step, to `outcome`.
   void addForces(const TouchedSurface& surface, const std::vector<ToolState>& tools, double step_s,
                  ContactOutcome& outcome) const;
 
  private:
   struct Obstacle {
     int tool = 0;               ///< -1: the ground
-    std::vector<int> contacts;  ///< per vertex
+    std::vector<int> contacts;  ///< [vertex] number of its contacts with this obstacle
   };
 
   void touch(Obstacle& obstacle, const btSoftBody::Node* node);
   Obstacle& obstacleOf(const btCollisionObject* object);
 
   DeformableWorld& world_;
-  std::vector<int> vertex_of_node_;  ///< -1: inside
+  std::vector<int> vertex_of_node_;  ///< [node] -1: inside the body
   std::vector<Obstacle> obstacles_;  ///< the tools, then the ground
-  std::vector<int> contacts_;        ///< per vertex, of all obstacles
+  std::vector<int> contacts_;        ///< [vertex] number of its contacts with all obstacles
   int candidates_ = 0, bearing_ = 0;
 };
 

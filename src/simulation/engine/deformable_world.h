@@ -25,30 +25,30 @@ class TimedDispatcher : public btCollisionDispatcher {
   using btCollisionDispatcher::btCollisionDispatcher;
   void dispatchAllCollisionPairs(btOverlappingPairCache* pairs, const btDispatcherInfo& info,
                                  btDispatcher* dispatcher) override;
-  double detection_s = 0;  ///< so far
+  double detection_s = 0;  ///< wall time so far
 };
 
-/// Bullet's solver of tetrahedra with the settings of a scenario, most of which Bullet gives no function to
-/// set, and a stop-watch on its stages.
+/// Bullet's solver of tetrahedra with the settings of a scenario, for most of which Bullet has no function,
+/// and with a stop-watch on its stages.
 class TimedDeformableSolver : public btDeformableBodySolver {
  public:
   explicit TimedDeformableSolver(const DeformableSolver& settings);
   void predictMotion(btScalar step_s) override;
   void solveDeformableConstraints(btScalar step_s) override;
   double predict_s = 0;  ///< wall time so far
-  double solve_s = 0;    ///< wall time so far, of the elements alone
+  double solve_s = 0;    ///< wall time of the elements so far
 };
 
 /// Bullet's btDeformableMultiBodyDynamicsWorld with the one elastic body of a scenario, its tools as
-/// kinematic bodies, and its ground as a static box, whose upper face is the ground.
+/// kinematic bodies, and its ground as the upper face of a static box (engine/METHOD.md 5).
 class DeformableWorld {
  public:
   DeformableWorld(const Scenario& scenario, const PipelineSettings& pipeline, const Scene& scene,
                   const std::vector<Pose>& first_poses);
   ~DeformableWorld();
 
-  /// One step of Bullet; tools have the poses `tools` at its end, where Bullet looks for contacts with a
-  /// kinematic body.
+  /// One step of Bullet, at whose end the tools have the poses `tools`; Bullet tests kinematic bodies for
+  /// contact at these poses.
   void step(const std::vector<ToolState>& tools, double step_s);
 
   btSoftBody& body() { return *body_.body; }
@@ -57,6 +57,7 @@ class DeformableWorld {
   const btDeformableContactProjection& contacts() const { return solver_->m_objective->m_projection; }
   bool isGround(const btCollisionObject* object) const { return object == ground_.get(); }
   const KinematicTools& tools() const { return *tools_; }
+  /// Wall time of collision detection so far.
   double detection_s() const { return dispatcher_->detection_s; }
   std::vector<StageTime> stageTimes() const;
 
@@ -75,7 +76,7 @@ class DeformableWorld {
   std::unique_ptr<btBoxShape> ground_shape_;
   std::unique_ptr<btRigidBody> ground_;
   std::unique_ptr<KinematicTools> tools_;
-  double total_s_ = 0;  ///< wall time so far, of all of Bullet's step
+  double total_s_ = 0;  ///< wall time of Bullet's whole steps so far
 };
 
 }  // namespace fissure

@@ -6,8 +6,8 @@ namespace fissure {
 
 namespace {
 
-/// A detector of ours that hands every call to Bullet's: the null test of the harness (METHOD: facts about
-/// Bullet).
+/// A detector of ours that hands every call to Bullet's: the null test of the harness
+/// (engine/METHOD.md 1).
 class DelegatingAlgorithm : public btCollisionAlgorithm {
  public:
   DelegatingAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* a,

@@ -11,17 +11,17 @@ namespace fissure {
 
 /// The analytic half-space under the tissue, the same in every pipeline that leaves the ground to Bullet:
 /// before each solve, every vertex closer to the ground than the body's margin gets one of Bullet's own
-/// soft-rigid contacts against a static body (METHOD: facts about Bullet).
+/// soft-rigid contacts against a static body (engine/METHOD.md 2).
 class Ground {
  public:
   explicit Ground(const GroundSettings& settings);
 
-  /// Appends the contacts of `body` for the coming solve; positions are the predicted ones.
+  /// Appends the contacts of `body`, at its predicted positions, for the next solve.
   void addContacts(btSoftBody& body);
 
  private:
   GroundSettings settings_;
-  btRigidBody plane_;  ///< stands for the ground in the contacts; belongs to no world and has no shape
+  btRigidBody plane_;  ///< represents the ground in contacts; it is in no world and has no shape
 };
 
 }  // namespace fissure

@@ -6,23 +6,23 @@
 
 namespace fissure {
 
-/// Shows Bullet's solve the ground of a method whose own contacts follow it: vertices predicted below the
-/// ground go through the solve from its plane, and afterwards are taken back by as much, position and motion
-/// alike. So the tissue's links are solved as on the ground they are about to be put on, and all that the
-/// ground gives the tissue is in those contacts. Without it links that hang through the ground give way over
-/// long steps.
+/// Lets Bullet's solve take account of a ground whose contacts are solved afterwards by a contact method.
+/// Vertices that are predicted below the ground are lifted onto its plane for the solve and moved back by the
+/// same amount afterwards, in position and motion. So links are solved as if the tissue were on the ground,
+/// while the whole reaction of the ground comes from the contacts of the method. Without it, links that hang
+/// through the ground yield over long steps.
 class GroundPreview {
  public:
   explicit GroundPreview(double height_m) : height_m_(height_m) {}
 
-  /// Before the solve, after Bullet's prediction.
+  /// To be called before the solve, after Bullet's prediction.
   void lift(btAlignedObjectArray<btSoftBody*>& bodies);
-  /// After it.
+  /// To be called after the solve.
   void takeBack(btAlignedObjectArray<btSoftBody*>& bodies) const;
 
  private:
   double height_m_;
-  std::vector<btScalar> lifts_m_;  ///< one a vertex, body by body
+  std::vector<btScalar> lifts_m_;  ///< [vertex] of all bodies
 };
 
 }  // namespace fissure

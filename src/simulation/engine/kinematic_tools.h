@@ -9,12 +9,12 @@
 
 namespace fissure {
 
-/// The tools as kinematic rigid bodies of Bullet's world, for the pipelines that use Bullet's own contact.
-/// In the world for as long as this object lives.
+/// The tools as kinematic rigid bodies of Bullet's world, for the pipelines with Bullet's own contact
+/// (engine/METHOD.md 4). They are in the world as long as this object lives.
 class KinematicTools {
  public:
-  /// Boxes as Bullet's boxes, other tools as their convex hulls. Throws InputError for a tool that is not
-  /// convex, or open: Bullet's soft bodies meet it as triangles 120 mm thick.
+  /// Box tools become Bullet's boxes, other tools convex hulls. Throws InputError for a tool that is not
+  /// convex, or is open: Bullet's soft bodies would collide with its triangles as if they were 120 mm thick.
   KinematicTools(btDynamicsWorld& world, const Scenario& scenario, const Scene& scene,
                  const std::vector<Pose>& first_poses);
   explicit KinematicTools(const PipelineContext& context)
@@ -23,9 +23,9 @@ class KinematicTools {
   KinematicTools(const KinematicTools&) = delete;
   KinematicTools& operator=(const KinematicTools&) = delete;
 
-  /// Before Bullet's step: to the poses at its end.
+  /// Moves the tools to their poses at the step's end; to be called before Bullet's step.
   void move(const std::vector<ToolState>& now);
-  /// Which tool `object` is, or -1.
+  /// Index of the tool that `object` is, or -1.
   int indexOf(const btCollisionObject* object) const;
 
  private:

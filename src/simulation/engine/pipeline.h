@@ -12,25 +12,27 @@
 
 namespace fissure {
 
-/// How tools meet tissue: what a pipeline adds to the world, the same for all else. One object belongs to one
-/// run.
+/// The part of the Bullet world that depends on the pipeline: contact between tools and tissue. One object
+/// belongs to one run.
 class Pipeline {
  public:
   virtual ~Pipeline() = default;
-  /// Whether contacts push tools that are bodies; where not, all are led.
+  /// Whether contacts can push tools with a mass (StepView::tool_bodies).
   virtual bool pushesTools() const { return false; }
-  /// Before moveTools: those of the step. They outlive it.
+  /// Sets the tools with a mass for the step, which outlive the step; to be called before moveTools().
   virtual void setToolBodies(std::span<ToolBody> /*bodies*/) {}
-  /// Before Bullet's step: the tools move to their poses at its end.
+  /// Moves the tools from their states at the step's start to those at its end; to be called before Bullet's
+  /// step.
   virtual void moveTools(const std::vector<ToolState>& before, const std::vector<ToolState>& now) = 0;
-  /// After Bullet's step: contacts, counts, reaction and collision time of the step into `state` and `patch`.
+  /// Writes contacts, counts, reaction and collision time of the step into `state` and `patch`; to be called
+  /// after Bullet's step.
   virtual void report(State& state, ContactPatch& patch) = 0;
   virtual Summary counters() const { return {}; }
-  /// Of what the pipeline adds to Bullet's own stages.
+  /// Wall time so far of the stages that the pipeline adds to Bullet's own.
   virtual std::vector<StageTime> stageTimes() const { return {}; }
 };
 
-/// What a pipeline is built from; all references outlive it.
+/// The arguments for building a pipeline; all references outlive it.
 struct PipelineContext {
   const Scenario& scenario;
   const PipelineSettings& settings;
@@ -39,14 +41,14 @@ struct PipelineContext {
   const std::vector<Pose>& first_poses;
 };
 
-/// A collision pipeline: how its detection in Bullet is set up, and its stage in each step.
+/// The maker of a collision pipeline and of its collision configuration in Bullet.
 struct PipelineFactory {
   PipelineKind kind;
   std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> (*configuration)();  ///< null: Bullet's own
   std::unique_ptr<Pipeline> (*make)(const PipelineContext& context);
 };
 
-/// The factory of a pipeline; throws std::invalid_argument when this engine has none.
+/// The factory of a pipeline. Throws std::invalid_argument when this engine has none.
 const PipelineFactory& pipelineFactory(PipelineKind kind);
 
 std::unique_ptr<Pipeline> makeSdfPipeline(const PipelineContext& context);

@@ -4,22 +4,23 @@
 
 namespace fissure {
 
-/// Pose matching of a body that is too small for Bullet's own. Bullet turns the rest shape by the rotation of
-/// a matrix in square metres, and takes that matrix for singular, and as it is for the rotation, where the
-/// product of two of its norms is below the precision's epsilon: in single precision a sphere of less than
-/// 32 mm radius, in double precision one of 0.2 mm. The rest shape that the body is drawn to is then a point.
-/// Here the matrix is scaled to the size of one first; all else is Bullet's.
+/// Pose matching of a body that is too small for Bullet's own (engine/METHOD.md 3). Bullet turns the rest
+/// shape by the rotation in the polar decomposition of a matrix in square metres. Where the product of two
+/// norms of the matrix is below the precision's epsilon, Bullet takes it for singular and uses it as the
+/// rotation: for spheres of less than 32 mm radius in single precision and 0.2 mm in double precision. The
+/// body is then drawn to a point. Here the matrix is first scaled to a size of about one; all else is as in
+/// Bullet.
 class PoseMatching {
  public:
-  /// Whether the body is matched, and at rest so small. (One that becomes so only while it is pressed stays
-  /// with Bullet's own.)
+  /// Whether the body has pose matching and is that small at rest. A body that becomes so only under load
+  /// keeps Bullet's own matching.
   static bool isNeededFor(const btSoftBody& body);
 
-  /// Takes the matching over: Bullet's own is switched off (kMT = 0). The body must outlive this.
+  /// Takes over the matching and switches Bullet's own off (kMT = 0). The body must outlive this object.
   explicit PoseMatching(btSoftBody& body);
 
-  /// Moves the vertices that are not fixed by their share of the way to the matched shape. After Bullet's
-  /// predictMotion, which ends with its own.
+  /// Moves the free vertices by the share kMT of their distances to the matched shape. To be called after
+  /// Bullet's predictMotion, whose last part is Bullet's own matching.
   void apply() const;
 
  private:

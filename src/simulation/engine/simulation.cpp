@@ -1,5 +1,7 @@
 #include "engine/simulation.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -51,8 +53,8 @@ Precision enginePrecision() {
 
 std::string engineVersion() {
   const int version = btGetVersion();
-  return "Bullet " + std::to_string(version / 100) + "." + std::to_string(version % 100) +
-         (enginePrecision() == Precision::f64 ? ", double precision" : ", single precision");
+  return fmt::format("Bullet {}.{}, {} precision", version / 100, version % 100,
+                     enginePrecision() == Precision::f64 ? "double" : "single");
 }
 
 namespace {
@@ -94,6 +96,10 @@ class BulletSimulation : public Simulation {
     movePushedTools();
     collect();
     stepped_.endStep();
+  }
+
+  void changeTempo(double factor) override {
+    if (factor < 1) world_.scaleVelocities(factor);
   }
 
   State& state() override { return stepped_.state(); }

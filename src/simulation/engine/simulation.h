@@ -10,8 +10,8 @@
 
 namespace fissure {
 
-/// Builds the Bullet world of one run with its tools at `first_poses`. Throws std::invalid_argument for a
-/// pipeline that this engine does not have.
+/// Builds the Bullet world of one run with its tools at `first_poses` (scene frame). Throws
+/// std::invalid_argument for a pipeline that this engine does not have.
 std::unique_ptr<Simulation> makeSimulation(const Scenario& scenario, const PipelineSettings& pipeline,
                                            const Scene& scene, const std::vector<Pose>& first_poses);
 
@@ -21,10 +21,10 @@ std::unique_ptr<Simulation> makeDeformableSimulation(const Scenario& scenario,
                                                      const PipelineSettings& pipeline, const Scene& scene,
                                                      const std::vector<Pose>& first_poses);
 
-/// The pipelines that this engine can build; a test says that they are those of pipeline_table.
+/// The pipelines that this engine can build; a test checks that they are those of pipeline_table.
 std::vector<PipelineKind> enginePipelines();
 
-/// "Bullet 3.24, double precision".
+/// The name of the engine, for provenance: "Bullet 3.24, double precision".
 std::string engineVersion();
 
 /// The precision that this engine was built in.

@@ -97,6 +97,12 @@ class ElasticSimulation : public Simulation {
     stepped_.endStep();
   }
 
+  void changeTempo(double factor) override {
+    tissue_.changeTempo(factor);
+    if (factor >= 1) return;
+    for (Vec3& velocity_m_s : tissue_.velocities_m_s()) velocity_m_s *= factor;
+  }
+
   State& state() override { return stepped_.state(); }
   const State& state() const override { return stepped_.state(); }
 

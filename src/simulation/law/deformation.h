@@ -2,16 +2,16 @@
 
 namespace fissure {
 
-/// What a triangle's centroid is compared with (METHOD: force).
+/// What a triangle's centroid is compared with to get the deformation x (contact/METHOD.md 12).
 enum class DeformationKind {
-  paper,      ///< with its place at rest: contains the motion of the body as a whole
-  corotated,  ///< with its place at rest moved by the body's best-fit rigid motion
+  paper,      ///< its position at rest: x contains rigid motion of the whole body
+  corotated,  ///< its position at rest after the body's best-fit rigid motion
 };
 
-/// Where x' comes from.
+/// How the rate x' of a deformation is computed (contact/METHOD.md 12).
 enum class RateSource {
-  differences,  ///< the centroid's way since the last step, over dt
-  velocities,   ///< the engine's vertex velocities
+  differences,  ///< displacement of the centroid since the last step, over dt
+  velocities,   ///< from the engine's vertex velocities
 };
 
 }  // namespace fissure

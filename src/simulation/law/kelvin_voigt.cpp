@@ -2,7 +2,7 @@
 
 namespace fissure {
 
-// METHOD: force.
+// contact/METHOD.md 12.
 ForceLawEntry kelvinVoigtLaw() {
   return {.name = "kelvin_voigt",
           .description = "F = k x + c x', a spring and a damper side by side, never pulling",

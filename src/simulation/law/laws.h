@@ -12,7 +12,7 @@ ForceLawEntry exponentialLaw();
 
 // Coefficients that several laws share.
 
-/// k of a spring, N/m.
+/// The coefficient k of a linear spring, N/m.
 inline LawCoefficient springCoefficient() {
   return {.name = "k",
           .member = &LawCoefficients::k,
@@ -23,7 +23,7 @@ inline LawCoefficient springCoefficient() {
           .units_per_area = "newton per cubic metre"};
 }
 
-/// c of a damper beside the elastic term, N s/m.
+/// The coefficient c of a damper parallel to the elastic term, N s/m.
 inline LawCoefficient damperCoefficient() {
   return {.name = "c",
           .member = &LawCoefficients::c,

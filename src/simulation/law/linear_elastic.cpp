@@ -2,7 +2,7 @@
 
 namespace fissure {
 
-// METHOD: force.
+// contact/METHOD.md 12.
 ForceLawEntry linearElasticLaw() {
   return {.name = "linear_elastic",
           .description = "F = k x, the default model that the paper replaced",

@@ -1,8 +1,9 @@
 #include "mesh/check.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <tuple>
 
@@ -19,6 +20,11 @@ constexpr double sliver_height = 2e-6;
 
 /// Volume over the cube of the extent: below this a closed surface is a folded sheet.
 constexpr double emptiness = 1e-12;
+
+/// Over the extent of a mesh: vertices that are nearer to each other were one when the mesh was made.
+constexpr double coincidence = 1e-5;
+/// Per point that may coincide with another.
+constexpr std::size_t most_looks = 200;
 
 using Report = DefectList<Defect>;
 
@@ -68,17 +74,54 @@ void checkTriangles(const TriangleMesh& mesh, Report& report) {
              "duplicate faces", "the same three corners as another one");
 }
 
+/// What to do about an open surface of which most vertices at the rims nearly coincide with another one, as
+/// if a surface had been written piece by piece; else "".
+std::string weldHint(const TriangleMesh& mesh, const std::set<int>& rim, double unit_m) {
+  Eigen::AlignedBox3d bounds;
+  std::vector<Vec3> points;
+  for (const int vertex : rim) {
+    const Vec3& point = points.emplace_back(mesh.vertices_m[static_cast<std::size_t>(vertex)]);
+    bounds.extend(point);
+    if (!point.allFinite()) return "";
+  }
+  if (points.empty()) return "";
+  const double near = coincidence * bounds.diagonal().norm();
+  Eigen::Index axis = 0;
+  bounds.sizes().maxCoeff(&axis);
+  std::sort(points.begin(), points.end(), [&](const Vec3& a, const Vec3& b) { return a[axis] < b[axis]; });
+  std::vector<char> paired(points.size(), 0);
+  double farthest = 0;
+  std::size_t looks = 0;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    for (std::size_t j = i + 1; j < points.size() && points[j][axis] - points[i][axis] <= near; ++j) {
+      if (++looks > most_looks * points.size()) return "";  // too many in one plane for a hint
+      const double distance = (points[j] - points[i]).norm();
+      if (!(distance <= near) || distance == 0) continue;
+      paired[i] = paired[j] = 1;
+      farthest = std::max(farthest, distance);
+    }
+  const auto pairs = static_cast<std::size_t>(std::count(paired.begin(), paired.end(), 1));
+  if (2 * pairs <= points.size()) return "";
+  return fmt::format(
+      ", but {} of its {} rim vertices nearly coincide with another: weld_tolerance_m: {:.1g} may close it",
+      pairs, points.size(), 2 * farthest * unit_m);
+}
+
 /// True when the surface is closed and consistently oriented.
-bool checkEdges(const std::vector<Face>& faces, Report& report) {
+bool checkEdges(const TriangleMesh& mesh, double unit_m, Report& report) {
+  const std::vector<Face>& faces = mesh.faces;
   std::size_t boundary = 0, crowded = 0, inconsistent = 0;
+  std::set<int> rim;
   forEachEdge(edgeUses(faces), [&](auto first, auto last) {
     const auto forward = std::count_if(first, last, [](const EdgeUse& use) { return use.forward; });
     const auto uses = last - first;
     boundary += uses == 1;
+    if (uses == 1) rim.insert({first->low, first->high});
     crowded += uses > 2;
     inconsistent += static_cast<std::size_t>(forward > 1) + static_cast<std::size_t>(uses - forward > 1);
   });
-  report.add(DefectKind::boundary_edges, boundary, "boundary edge", "boundary edges", "the surface is open");
+  report.add(DefectKind::boundary_edges, boundary, "boundary edge", "boundary edges",
+             "the surface is open" + weldHint(mesh, rim, unit_m));
   report.add(DefectKind::non_manifold_edges, crowded, "non-manifold edge", "non-manifold edges",
              "shared by more than two triangles");
   report.add(DefectKind::inconsistent_edges, inconsistent, "inconsistently oriented edge",
@@ -88,11 +131,8 @@ bool checkEdges(const std::vector<Face>& faces, Report& report) {
 
 std::string insideOut(std::size_t inward, std::size_t shells, double volume_m3) {
   if (shells > 1)
-    return std::to_string(inward) + " of " + std::to_string(shells) +
-           " shells inside out (and no cavity of another one)";
-  char number[32];
-  std::snprintf(number, sizeof number, "%.6g", volume_m3);
-  return "inside out (its volume is " + std::string(number) + " m^3: reverse all triangles)";
+    return fmt::format("{} of {} shells inside out (and no cavity of another one)", inward, shells);
+  return fmt::format("inside out (its volume is {:.6g} m^3: reverse all triangles)", volume_m3);
 }
 
 /// Of a closed and consistent surface.
@@ -127,10 +167,10 @@ std::vector<Defect> inspectSurface(const TriangleMesh& mesh, double unit_m) {
                [&](const Face& face) { return inRange(face, mesh.vertices_m.size()); });
   report.add(DefectKind::index_out_of_range, mesh.faces.size() - good.faces.size(),
              "triangle with an index out of range", "triangles with an index out of range",
-             "there are " + std::to_string(mesh.vertices_m.size()) + " vertices, counted from 0");
+             fmt::format("there are {} vertices, counted from 0", mesh.vertices_m.size()));
   checkVertices(good, report);
   checkTriangles(good, report);
-  const bool closed = checkEdges(good.faces, report);
+  const bool closed = checkEdges(good, unit_m, report);
   const std::vector<std::vector<Face>> shells = splitShells(good);
   if (closed && !good.faces.empty() && good.faces.size() == mesh.faces.size())
     checkSense(good, unit_m, shells, report);

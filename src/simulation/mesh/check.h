@@ -7,49 +7,50 @@
 
 namespace fissure {
 
-/// What can be wrong with a surface, in the order in which it is told.
+/// Defects of a surface, in the order in which they are reported.
 enum class DefectKind {
   no_triangles,
   index_out_of_range,
   non_finite_vertices,
   unreferenced_vertices,
   duplicate_vertices,
-  degenerate_triangles,  ///< without area, and so without a normal
+  degenerate_triangles,  ///< zero area, and so no normal
   sliver_triangles,      ///< area below a millionth of the longest edge squared; the degenerate ones too
   duplicate_faces,       ///< the same three corners again, in any order
-  boundary_edges,        ///< of one triangle
-  non_manifold_edges,    ///< of more than two triangles
-  inconsistent_edges,    ///< run through more than once in one direction
+  boundary_edges,        ///< edges of only one triangle
+  non_manifold_edges,    ///< edges of more than two triangles
+  inconsistent_edges,    ///< edges that two triangles run through in the same direction
   no_volume,
   inside_out,
-  shells,               ///< pieces that share no vertex, where there are several
-  size,                 ///< beyond reason
-  unused_vertices,      ///< of a file: in no face of it, whether its reader kept them or not
-  non_planar_polygons,  ///< of a file: what triangles they become is the reader's choice
+  shells,               ///< several pieces that share no vertex
+  size,                 ///< implausible size
+  unused_vertices,      ///< in a file: vertices in no face, whether its reader kept them or not
+  non_planar_polygons,  ///< in a file: the triangles they are split into depend on the reader
 };
 
 struct Defect {
   DefectKind kind;
   std::size_t count = 0;
-  std::string text;  ///< one line with the count, e.g. "3 boundary edges (the surface is open)"
+  /// One line with the count, e.g. "3 boundary edges (the surface is open)".
+  std::string text;
 };
 
-/// All that is wrong with a surface but its size. Any mesh may be given, also one with indices out of range
-/// or without triangles. Faces that name a vertex twice, or one that does not exist, are counted and then
-/// left out of what is said about edges; the sense (outward or inside out) is judged only where the surface
-/// is closed and consistent, shell by shell: one that is turned inward is right as a cavity inside another.
-/// `unit_m`: metres in the vertices' unit.
+/// All defects of a surface but those of its size. Any mesh may be given, even one without triangles or with
+/// indices out of range. Faces that name a vertex twice, or one that does not exist, are counted and then
+/// ignored for the edges. Orientation is judged only for closed and consistent surfaces, shell by shell; a
+/// shell that is turned inward is right as a cavity inside another. `unit_m`: length of the vertices' unit in
+/// metres.
 std::vector<Defect> inspectSurface(const TriangleMesh& mesh, double unit_m = 1);
 
-/// True for what a soft body cannot be simulated with: all but slivers, several shells and what is odd about
-/// a file alone.
+/// True for defects with which a soft body cannot be simulated: all but slivers, several shells and oddities
+/// of files.
 bool spoilsBody(DefectKind kind);
 
-/// True when a tool cannot be used at all: no triangles, bad vertices or indices, a size beyond reason,
-/// neighbours that disagree about the outside. One that is open can: it only has no inside.
+/// True for defects with which a tool cannot be used: no triangles, bad vertices or indices, an implausible
+/// size, inconsistent orientation. An open surface can be used; it only has no inside.
 bool spoilsTool(DefectKind kind);
 
-/// True when points can be told to lie inside the surface: it is closed, with outward faces.
+/// True for a closed surface with outward faces, for which inside and outside are defined.
 bool hasInside(const TriangleMesh& mesh);
 
 /// Enclosed volume of a closed, outward surface by the divergence theorem, m^3; negative when inside out.

@@ -8,13 +8,13 @@
 
 namespace fissure {
 
-/// What an inspection found wrong: a list of structs of a kind, a count and a line about them.
+/// Collects the defects that an inspection finds, as structs of a kind, a count and a line of text.
 template <class Defect>
 class DefectList {
  public:
   using Kind = decltype(Defect::kind);
 
-  /// Adds "`count` `one`/`many` (`meaning`)" when there is any.
+  /// Adds a defect with the text "`count` `one`/`many` (`meaning`)" unless `count` is 0.
   void add(Kind kind, std::size_t count, const std::string& one, const std::string& many,
            const std::string& meaning) {
     if (count == 0) return;

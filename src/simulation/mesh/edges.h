@@ -8,15 +8,15 @@ namespace fissure {
 
 /// One side of a triangle.
 struct EdgeUse {
-  int low = 0, high = 0;  ///< its vertices, low < high
-  bool forward = false;   ///< the triangle runs from low to high
+  int low = 0, high = 0;  ///< its vertices, with low < high
+  bool forward = false;   ///< the triangle runs through it from low to high
   int face = 0;
 
   bool sameEdge(const EdgeUse& other) const { return low == other.low && high == other.high; }
 };
 
-/// The sides of all triangles, those of one edge next to each other, in the order of their triangles.
-/// Triangles that name a vertex twice have none.
+/// The sides of all triangles, grouped by edge and within a group in the order of their triangles. Triangles
+/// that name a vertex twice are left out.
 std::vector<EdgeUse> edgeUses(const std::vector<Face>& faces);
 
 /// Calls visit(first, last) for the uses of each edge.

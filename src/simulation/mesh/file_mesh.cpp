@@ -5,11 +5,11 @@
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 #include <dlfcn.h>
+#include <fmt/core.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
 #include <memory>
 #include <string>
@@ -131,8 +131,9 @@ class Assimp {
   Function find(const char* function) {
     void* address = library_ ? dlsym(library_, function) : nullptr;
     if (!address)
-      throw InputError(std::string("meshes cannot be read without ") + name + " and its " + function +
-                       ", expected Debian's package libassimp5");
+      throw InputError(
+          fmt::format("meshes cannot be read without {} and its {}, expected Debian's package libassimp5",
+                      name, function));
     return reinterpret_cast<Function>(address);
   }
 
@@ -165,12 +166,6 @@ std::string shortened(const std::string& complaint) {
   return line;
 }
 
-std::string percent(double share) {
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), "%.3g %%", 100 * share);
-  return text.data();
-}
-
 /// Faces that cannot be split into triangles.
 void refuseBadFaces(const std::string& file, const aiScene& scene) {
   std::size_t faces = 0, few = 0, beyond = 0;
@@ -185,12 +180,14 @@ void refuseBadFaces(const std::string& file, const aiScene& scene) {
   }
   if (faces == 0) throw InputError(inFile(file), "has no faces, expected a surface");
   if (few > 0)
-    throw InputError(inFile(file),
-                     std::to_string(few) + " of its " + std::to_string(faces) +
-                         " faces have fewer than three corners, expected triangles or polygons");
+    throw InputError(
+        inFile(file),
+        fmt::format("{} of its {} faces have fewer than three corners, expected triangles or polygons", few,
+                    faces));
   if (beyond > 0)
-    throw InputError(inFile(file), std::to_string(beyond) + " of its " + std::to_string(faces) +
-                                       " faces name a vertex that does not exist (a damaged file)");
+    throw InputError(
+        inFile(file),
+        fmt::format("{} of its {} faces name a vertex that does not exist (a damaged file)", beyond, faces));
 }
 
 /// How far the corners of a polygon lie off the plane through their middle, as a share of its extent.
@@ -230,17 +227,16 @@ void noteBentPolygons(const aiScene& scene, std::vector<Defect>& oddities) {
   }
   if (bent == 0) return;
   oddities.push_back({DefectKind::non_planar_polygons, bent,
-                      counted(bent, "non-planar polygon") +
-                          " (their triangles are the reader's choice; the first is face " +
-                          std::to_string(first) + " of the file, counted from 0, bent by " +
-                          percent(first_bend) + " of its extent)"});
+                      fmt::format("{} (their triangles are the reader's choice; the first is face {} of the "
+                                  "file, counted from 0, bent by {:.3g} % of its extent)",
+                                  counted(bent, "non-planar polygon"), first, 100 * first_bend)});
 }
 
 void noteUnused(std::size_t count, const std::string& first, std::vector<Defect>& oddities) {
   if (count == 0) return;
-  oddities.push_back(
-      {DefectKind::unused_vertices, count,
-       counted(count, "vertex", "vertices") + " of the file in no face (the first is " + first + ")"});
+  oddities.push_back({DefectKind::unused_vertices, count,
+                      fmt::format("{} of the file in no face (the first is {})",
+                                  counted(count, "vertex", "vertices"), first)});
 }
 
 /// OBJ's are not in the mesh: Assimp leaves them out.
@@ -254,7 +250,7 @@ void noteUnusedVertices(const MeshText& text, const TriangleMesh& mesh, std::vec
     for (const int v : face) used[static_cast<std::size_t>(v)] = 1;
   const auto first = std::find(used.begin(), used.end(), 0);
   noteUnused(static_cast<std::size_t>(std::count(first, used.end(), 0)),
-             "vertex " + std::to_string(first - used.begin()) + ", counted from 0", oddities);
+             fmt::format("vertex {}, counted from 0", first - used.begin()), oddities);
 }
 
 bool hasPolygons(const aiScene& scene) {
@@ -299,8 +295,8 @@ FileMesh readMeshFile(const std::filesystem::path& file) {
   requireGood(true);
   for (unsigned m = 0; m < scene->mNumMeshes; ++m) append(*scene->mMeshes[m], mesh);
   if (mesh.faces.size() > max_triangles)
-    throw InputError(inFile(file), "has " + std::to_string(mesh.faces.size()) +
-                                       " triangles, expected at most " + std::to_string(max_triangles));
+    throw InputError(inFile(file),
+                     fmt::format("has {} triangles, expected at most {}", mesh.faces.size(), max_triangles));
   noteUnusedVertices(text, mesh, file_mesh.oddities);
   return file_mesh;
 }

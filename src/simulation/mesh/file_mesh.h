@@ -8,24 +8,22 @@
 
 namespace fissure {
 
-/// What a mesh file holds.
+/// The contents of a mesh file.
 struct FileMesh {
   TriangleMesh mesh;
-  /// What is odd about the file that its triangles do not show: unused vertices and non-planar polygons, each
-  /// with the first of them.
+  /// Oddities of the file that its triangles do not show: unused vertices and non-planar polygons. The texts
+  /// name the first of each.
   std::vector<Defect> oddities;
 };
 
-/// The surface in an STL, OBJ, PLY or OFF file (by its ending), read by Assimp: the file's own numbers, in
-/// single precision as Assimp keeps them, all its parts together, polygons split into triangles. Nothing else
-/// is merged, moved or left out, so that equal vertices come as often as the file has them; Assimp drops OBJ
-/// vertices that no face names, and materials are not looked at. No other file is opened, whatever the
-/// mesh names.
-/// Throws InputError about `file`: missing, empty, a folder, another format than its ending says, larger than
-/// 256 MiB or 2^20 triangles, counts that it cannot hold, faces of fewer than three corners or with corners
-/// that do not exist, no faces, anything that Assimp finds wrong. Assimp may also crash on a damaged file, or
-/// never end: read a file of unknown origin in a process of its own first. RunError when Assimp is not
-/// installed.
+/// Reads the surface in an STL, OBJ, PLY or OFF file (by its ending) with Assimp: the file's own numbers in
+/// single precision, all parts together, polygons split into triangles. Nothing is merged or moved, so equal
+/// vertices come as often as in the file; Assimp drops OBJ vertices that no face names. Materials are
+/// ignored, and no other file is opened, whatever the mesh names. Throws InputError about a file that is
+/// missing, empty or a folder, is not of the format of its ending, is larger than 256 MiB or 2^20 triangles,
+/// states counts that it cannot hold, has no faces, has faces of fewer than three corners or with corners
+/// that do not exist, or that Assimp rejects. Throws RunError when Assimp is not installed. Assimp may crash
+/// or loop on a damaged file: try a file of unknown origin in a child process first (doApart).
 FileMesh readMeshFile(const std::filesystem::path& file);
 
 }  // namespace fissure

@@ -1,7 +1,8 @@
 #include "mesh/file_surface.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <cstdio>
 
 #include "base/error.h"
 #include "mesh/file_mesh.h"
@@ -19,12 +20,6 @@ constexpr double least_extent_m = 1e-3, most_extent_m = 2.0;
 /// What most of them have.
 constexpr double usual_least_m = 5e-3, usual_most_m = 0.5;
 
-std::string number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.3g", value);
-  return text;
-}
-
 /// A size that no body has is a wrong unit: which one it may be. The mesh is in the file's unit.
 std::vector<Defect> sizeDefects(const TriangleMesh& mesh, LengthUnit stated) {
   Eigen::AlignedBox3d bounds;
@@ -33,8 +28,8 @@ std::vector<Defect> sizeDefects(const TriangleMesh& mesh, LengthUnit stated) {
   if (bounds.isEmpty()) return {};
   const double extent_m = bounds.sizes().maxCoeff() * metres(stated);
   if (extent_m >= least_extent_m && extent_m <= most_extent_m) return {};
-  std::string text = "size beyond reason (" + number(extent_m) + " m across, expected " +
-                     number(least_extent_m) + " to " + number(most_extent_m) + " m";
+  std::string text = fmt::format("size beyond reason ({:.3g} m across, expected {:.3g} to {:.3g} m", extent_m,
+                                 least_extent_m, most_extent_m);
   std::string suspects;
   for (const LengthUnit unit : {LengthUnit::m, LengthUnit::cm, LengthUnit::mm}) {
     const double as_m = extent_m / metres(stated) * metres(unit);
@@ -43,6 +38,13 @@ std::vector<Defect> sizeDefects(const TriangleMesh& mesh, LengthUnit stated) {
   }
   if (!suspects.empty()) text += ": is the unit " + suspects + "?";
   return {{DefectKind::size, 1, text + ")"}};
+}
+
+/// "; size beyond reason (...)" where the size is.
+std::string sizeHint(const std::vector<Defect>& defects) {
+  for (const Defect& defect : defects)
+    if (defect.kind == DefectKind::size) return "; " + defect.text;
+  return "";
 }
 
 std::vector<Defect> inspect(const TriangleMesh& mesh, LengthUnit unit) {
@@ -70,8 +72,9 @@ FileSurface surfaceFrom(const FileShape& shape, const std::filesystem::path& fil
   if (isFinite(mesh)) {
     surface.repairs = repairMesh(mesh, shape.repairs);
     if (shape.max_edge_m && !subdivide(mesh, *shape.max_edge_m / unit_m, most_triangles))
-      throw InputError(inFile(file), "max_edge_m " + number(*shape.max_edge_m) + " makes more than " +
-                                         std::to_string(most_triangles) + " triangles, expected fewer");
+      throw InputError(inFile(file),
+                       fmt::format("max_edge_m {:.3g} makes more than {} triangles, expected fewer{}",
+                                   *shape.max_edge_m, most_triangles, sizeHint(surface.found)));
     surface.left = inspect(mesh, shape.unit);
   }
   surface.left.insert(surface.left.end(), read.oddities.begin(), read.oddities.end());

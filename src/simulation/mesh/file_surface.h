@@ -14,31 +14,32 @@
 
 namespace fissure {
 
-/// A surface from a file, with what was wrong with it and what was done about that.
+/// A surface from a file, with its defects and repairs.
 struct FileSurface {
   TriangleMesh mesh;                 ///< metres, in the file's frame; repaired and subdivided as asked
-  std::vector<Defect> found;         ///< in the file, welded
-  std::vector<std::string> repairs;  ///< what they changed (repairMesh)
-  std::vector<Defect> left;          ///< in `mesh`, and what is odd about the file
+  std::vector<Defect> found;         ///< defects in the file, after welding
+  std::vector<std::string> repairs;  ///< changes by repairs, one line each (repairMesh)
+  std::vector<Defect> left;          ///< defects that remain in `mesh`, and oddities of the file
 };
 
-/// Reads, scales, welds, inspects, repairs and subdivides. Repairs are left out where a vertex is not finite.
-/// Throws InputError for a file that is no mesh (readMeshFile) and for a `max_edge_m` that makes more than
-/// 131,072 triangles. Defects throw nothing: see spoilsBody and spoilsTool.
+/// Reads a file, scales it to metres, welds, inspects, repairs and subdivides it as `shape` asks; `directory`
+/// is the folder of a relative name. Nothing is repaired where a vertex is not finite. Throws InputError for
+/// a file that is no mesh (readMeshFile) and for a `max_edge_m` that makes more than 131,072 triangles.
+/// Defects throw nothing: see spoilsBody and spoilsTool.
 FileSurface loadSurface(const FileShape& shape, const std::filesystem::path& directory);
 
-/// The surfaces of the mesh files in one directory, each file read once: when the first shape asks for it.
+/// A cache of surfaces from mesh files: each file is read once, when it is first asked for.
 class SurfaceFiles {
  public:
-  /// `directory`: where relative file names start.
+  /// `directory`: the folder of relative file names.
   explicit SurfaceFiles(std::filesystem::path directory) : directory_(std::move(directory)) {}
 
-  /// As loadSurface, which says what is thrown. The reference holds as long as this object.
+  /// As loadSurface, and throws as it does. The reference is valid as long as this object.
   const FileSurface& surface(const FileShape& shape) const;
 
  private:
   std::filesystem::path directory_;
-  mutable std::map<std::filesystem::path, FileMesh> meshes_;  ///< as read
+  mutable std::map<std::filesystem::path, FileMesh> meshes_;  ///< the files as read
   mutable std::list<std::pair<FileShape, FileSurface>> surfaces_;
 };
 

@@ -1,5 +1,7 @@
 #include "mesh/mesh_text.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -59,9 +61,10 @@ void checkStl(const fs::path& file, const std::string& bytes) {
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start != std::string::npos && bytes.compare(start, 5, "solid") == 0) return;
   if (bytes.size() < head) fail(file, "is no STL file, it is too short for one");
-  fail(file, "as a binary STL file it would hold " + std::to_string(count) + " triangles in " +
-                 std::to_string(head + triangle * std::uintmax_t{count}) + " bytes, but it has " +
-                 std::to_string(bytes.size()) + " (a damaged file)");
+  fail(file,
+       fmt::format(
+           "as a binary STL file it would hold {} triangles in {} bytes, but it has {} (a damaged file)",
+           count, head + triangle * std::uintmax_t{count}, bytes.size()));
 }
 
 void checkPly(const fs::path& file, const std::string& bytes) {

@@ -5,14 +5,14 @@
 
 namespace fissure {
 
-/// Vertices that a file states and no face names.
+/// Vertices of a file that no face names.
 struct UnusedVertices {
   std::size_t count = 0;
-  int first_line = 0;  ///< of the first of them, from 1; 0: there is none
+  int first_line = 0;  ///< line number of the first of them, from 1; 0: there is none
 };
 
-/// Of the text of an OBJ file. Faces that name vertices which do not exist, and lines that are no OBJ, are
-/// left to the reader of the mesh.
+/// The unused vertices in the text of an OBJ file. Invalid lines, and faces with vertices that do not exist,
+/// are ignored here; the reader of the mesh reports them.
 UnusedVertices unusedVertices(std::string_view obj);
 
 }  // namespace fissure

@@ -6,20 +6,21 @@
 
 namespace fissure {
 
-/// What the header of a PLY file says that follows it.
+/// The layout of a PLY file, as its header states it.
 class PlyLayout {
  public:
-  /// Throws InputError, without a file's name, when the header is none.
+  /// Parses the header at the beginning of `bytes`. Throws InputError, without a file's name, when it is no
+  /// valid header.
   explicit PlyLayout(std::string_view bytes);
 
-  /// Throws InputError when the elements that the header states do not fit into `bytes`, the whole file:
+  /// Throws InputError when `bytes`, the whole file, is too short for the elements that the header states:
   /// Assimp makes up triangles where a file ends early.
   void requireAll(std::string_view bytes) const;
 
  private:
   struct Property {
-    std::size_t size = 0;        ///< of its value, or of each of a list's, bytes
-    std::size_t count_size = 0;  ///< of a list's length; 0: no list
+    std::size_t size = 0;        ///< bytes of its value, or of each item of a list
+    std::size_t count_size = 0;  ///< bytes of the length of a list; 0: no list
   };
   struct Element {
     double count = 0;
@@ -33,7 +34,7 @@ class PlyLayout {
 
   Encoding encoding_ = Encoding::text;
   std::vector<Element> elements_;
-  std::size_t body_ = 0;  ///< where it starts
+  std::size_t body_ = 0;  ///< offset of the data behind the header, bytes
 };
 
 }  // namespace fissure

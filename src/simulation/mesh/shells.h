@@ -6,19 +6,20 @@
 
 namespace fissure {
 
-/// For each triangle the number of its shell, from 0 in the order of first triangles: shells share no vertex.
-/// All vertices must exist.
+/// [triangle] the number of its shell, a connected piece that shares no vertex with others; shells are
+/// numbered from 0 in the order of their first triangles. All indices must be valid.
 std::vector<int> shellsOf(const TriangleMesh& mesh);
 
-/// The triangles of each shell, numbered as shellsOf does.
+/// The triangles of each shell, in the order of shellsOf.
 std::vector<std::vector<Face>> splitShells(const TriangleMesh& mesh);
 
-/// Which of several closed surfaces lie inside others. `mesh` and `surfaces`, faces of it, must outlive this.
+/// Finds out which of several closed surfaces lie inside others. `mesh` and `surfaces` (lists of its faces)
+/// must outlive this object.
 class Nesting {
  public:
   Nesting(const TriangleMesh& mesh, const std::vector<std::vector<Face>>& surfaces);
-  /// How many of the others enclose surface `index`, whichever way round they run, by its first corner
-  /// (winding number: van Oosterom and Strackee 1983).
+  /// Number of other surfaces that enclose surface `index`, whatever their orientation: the winding number of
+  /// its first corner (van Oosterom and Strackee 1983).
   int depth(std::size_t index) const;
 
  private:
@@ -27,8 +28,8 @@ class Nesting {
   std::vector<Eigen::AlignedBox3d> bounds_;
 };
 
-/// Volume that `faces` of the mesh, closed and outward, enclose, by the divergence theorem; negative when
-/// inside out. In the cube of the vertices' unit.
+/// Volume that `faces` of the mesh, a closed outward surface, enclose, by the divergence theorem, in the cube
+/// of the vertices' unit; negative when inside out.
 double signedVolume(const TriangleMesh& mesh, const std::vector<Face>& faces);
 
 }  // namespace fissure

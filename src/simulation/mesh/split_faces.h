@@ -10,8 +10,9 @@
 
 namespace fissure {
 
-/// Splits each triangle in four, with `middle(low, high)` of the vertices of an edge, that of lower index
-/// first, as the one new vertex of both its triangles. `Vertex`: a place, or whatever else stands for one.
+/// Splits each triangle in four. The new vertex of an edge, shared by its triangles, is `middle(low, high)`
+/// of the edge's vertices, that of lower index first. `Vertex` is a position, or any other type that `middle`
+/// takes.
 template <class Vertex, class Middle>
 void splitFaces(std::vector<Vertex>& vertices, std::vector<Face>& faces, Middle middle) {
   std::unordered_map<std::uint64_t, int> made;

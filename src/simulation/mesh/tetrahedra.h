@@ -8,17 +8,17 @@
 
 namespace fissure {
 
-/// The volume of a shape, in its own frame: its first vertices are those of makeSurface(shape), in their
-/// order and bit for bit, and its boundary has the same triangles. Every tetrahedron has a positive volume.
-/// Nothing for shapes whose tetrahedra a file or a mesher has (tetrahedraOf has none). Deterministic.
+/// The tetrahedra of a shape, in its own frame, metres: the first vertices are those of makeSurface(shape),
+/// bit for bit and in the same order, and the boundary has the same triangles. Every tetrahedron has a
+/// positive volume. No value for shapes whose tetrahedra come from a file or a mesher. Deterministic.
 std::optional<TetrahedralMesh> makeTetrahedra(const SurfaceShape& shape);
 
-/// Box of full edge lengths `size_m` whose surface is makeBox's: six tetrahedra a cell, which mirror those of
-/// the cells beside it.
+/// A box with full edge lengths `size_m` whose surface is makeBox's, with six tetrahedra per cell, which are
+/// mirrored between neighbouring cells.
 TetrahedralMesh makeBoxTetrahedra(const Vec3& size_m, const std::array<int, 3>& cells);
 
-/// The triangles that one tetrahedron alone has as a side, outward where its volume is positive, in the order
-/// of their least vertices. All vertices must exist.
+/// The sides that belong to only one tetrahedron, outward for tetrahedra of positive volume, in the order of
+/// their least vertices. All indices must be valid.
 std::vector<Face> boundaryFaces(const TetrahedralMesh& mesh);
 
 }  // namespace fissure

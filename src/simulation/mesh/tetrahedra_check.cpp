@@ -1,5 +1,7 @@
 #include "mesh/tetrahedra_check.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -136,7 +138,7 @@ std::vector<VolumeDefect> inspectTetrahedra(const TetrahedralMesh& mesh, const T
                });
   report.add(VolumeDefectKind::index_out_of_range, mesh.tetrahedra.size() - good.tetrahedra.size(),
              "tetrahedron with an index out of range", "tetrahedra with an index out of range",
-             "there are " + std::to_string(mesh.vertices_m.size()) + " vertices, counted from 0");
+             fmt::format("there are {} vertices, counted from 0", mesh.vertices_m.size()));
   checkVertices(good, report);
   checkShapes(good, report);
   checkSides(good, surface, report);

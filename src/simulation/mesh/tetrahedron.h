@@ -7,7 +7,7 @@
 
 namespace fissure {
 
-/// The corners of one tetrahedron, which must exist.
+/// Positions of the corners of one tetrahedron; its indices must be valid.
 inline std::array<Vec3, 4> cornersOf(const TetrahedralMesh& mesh, const Tetrahedron& tetrahedron) {
   const auto corner = [&](std::size_t k) {
     return mesh.vertices_m[static_cast<std::size_t>(tetrahedron[k])];
@@ -15,7 +15,7 @@ inline std::array<Vec3, 4> cornersOf(const TetrahedralMesh& mesh, const Tetrahed
   return {corner(0), corner(1), corner(2), corner(3)};
 }
 
-/// Volume, negative where the corners run the other way round, in the cube of their unit.
+/// Volume in the cube of the corners' unit, negative for an inverted tetrahedron.
 double signedVolume(const std::array<Vec3, 4>& corners);
 
 /// Three times the radius of the inscribed sphere over that of the circumscribed one, with the sign of the

@@ -9,17 +9,16 @@ namespace fissure {
 
 /// One side of a tetrahedron.
 struct TetrahedronFace {
-  Face sorted{};         ///< its vertices, least first
+  Face sorted{};         ///< its vertices, ascending
   Face outward{};        ///< counter-clockwise seen from outside a tetrahedron of positive volume
-  bool forward = false;  ///< `outward` runs through them as `sorted` does, turned or not
+  bool forward = false;  ///< `outward` is an even permutation of `sorted`
   int tetrahedron = 0;
 
   bool sameFace(const TetrahedronFace& other) const { return sorted == other.sorted; }
 };
 
-/// The sides of all tetrahedra, those with the same corners next to each other, in the order of their
-/// tetrahedra. All vertices must exist, with numbers below `vertices`; tetrahedra that name one twice have no
-/// sides.
+/// The sides of all tetrahedra, grouped by their corners and within a group in the order of their tetrahedra.
+/// All indices must be below `vertices`, their number; tetrahedra that name one twice have no sides.
 std::vector<TetrahedronFace> tetrahedronFaces(const std::vector<Tetrahedron>& tetrahedra,
                                               std::size_t vertices);
 

@@ -6,7 +6,7 @@
 
 namespace fissure {
 
-/// The corners of one triangle, which must exist.
+/// Positions of the corners of one triangle; its indices must be valid.
 inline std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, const Face& face) {
   const auto corner = [&](std::size_t k) { return mesh.vertices_m[static_cast<std::size_t>(face[k])]; };
   return {corner(0), corner(1), corner(2)};
@@ -16,7 +16,7 @@ inline std::array<Vec3, 3> cornersOf(const TriangleMesh& mesh, const Face& face)
 /// not finite.
 double relativeHeight(const std::array<Vec3, 3>& corners);
 
-/// relativeHeight() up to which a triangle is degenerate: it has no usable normal.
+/// Triangles with at most this relativeHeight() are degenerate: they have no usable normal.
 constexpr double degenerate_height = 1e-12;
 
 }  // namespace fissure

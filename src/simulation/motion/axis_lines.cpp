@@ -1,5 +1,7 @@
 #include "motion/axis_lines.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -18,8 +20,7 @@ std::vector<double> readNumbers(std::string_view text, const std::string& file, 
   std::vector<double> numbers;
   numbers.reserve(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i)
-    numbers.push_back(
-        logNumber(cells[i], file, line, std::string("sample ") + std::to_string(i) + " of " + axis));
+    numbers.push_back(logNumber(cells[i], file, line, fmt::format("sample {} of {}", i, axis)));
   return numbers;
 }
 
@@ -39,8 +40,8 @@ AxisLines::AxisLines(const std::filesystem::path& file, const LogFiles& files) :
     ++found;
   }
   if (found < axes_.size())
-    throw InputError(inFile(file_), "has " + std::to_string(found) +
-                                        " lines of numbers, expected three: all x, all y and all z");
+    throw InputError(inFile(file_),
+                     fmt::format("has {} lines of numbers, expected three: all x, all y and all z", found));
 }
 
 std::size_t AxisLines::column(const std::string& name) const {

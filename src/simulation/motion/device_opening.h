@@ -6,24 +6,27 @@
 
 namespace fissure {
 
-/// The device axis that opens a clamp, apart from the plane of the two that move it. The axes of device and
-/// scene are the same but for order and sign, so that each device axis is one coordinate in the scene.
+/// Splits the replayed hand motion of a clamp into its opening, along one device axis, and its motion in the
+/// plane of the other two. Device and scene axes differ only in order and sign, so each device axis is one
+/// coordinate of the scene.
 class OpeningAxis {
  public:
   OpeningAxis(const DeviceOpening& settings, const DeviceMapping& mapping, const DeviceToScene& to_scene);
 
-  /// Of the clamp, when the whole mapped hand is at `hand_m`: in the plane through origin_scene_m.
+  /// Position of the clamp in the scene frame for a hand at `hand_m` (scene frame): its projection on the
+  /// plane through origin_scene_m.
   Vec3 inPlane(const Vec3& hand_m) const;
-  /// Of the jaws then, metres or degrees, within 0 and the settings' opening.
+  /// Opening of the jaws for a hand at `hand_m` (scene frame), metres or degrees, clamped to 0 .. the
+  /// settings' opening.
   double opening(const Vec3& hand_m) const;
-  /// Whether a sample of the device lies beyond the places that are closed and open.
+  /// Whether a sample (device frame) lies beyond the closed or the open position.
   bool saturates(const Vec3& device_m) const;
 
  private:
   int device_axis_;
   int scene_axis_ = 0;
-  double plane_m_;   ///< the coordinate along scene_axis_ where the clamp stays
-  double closed_m_;  ///< and where the hand has closed it
+  double plane_m_;   ///< coordinate along scene_axis_ at which the clamp stays
+  double closed_m_;  ///< coordinate along scene_axis_ at which the hand has closed it
   double open_m_;
   double open_;  ///< opening at open_m_
   double least_device_m_, most_device_m_;

@@ -1,5 +1,7 @@
 #include "motion/device_to_scene.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "base/error.h"
@@ -12,7 +14,8 @@ Vec3 deviceAxis(const std::string& name, const std::string& where) {
   const bool has_sign = name.size() == 2 && (name[0] == '-' || name[0] == '+');
   const char letter = name.empty() ? '?' : name.back();
   if ((name.size() != 1 && !has_sign) || letter < 'x' || letter > 'z')
-    throw InputError(where + ".axes: \"" + name + "\", expected x, y or z, with or without a minus");
+    throw InputError(
+        fmt::format("{}.axes: \"{}\", expected x, y or z, with or without a minus", where, name));
   return (has_sign && name[0] == '-' ? -1.0 : 1.0) * Vec3::Unit(letter - 'x');
 }
 
@@ -23,8 +26,9 @@ Mat3 rotationOfAxes(const std::array<std::string, 3>& axes, const std::string& w
   // A mirrored hand would turn every rotation the wrong way round.
   if (rotation.determinant() != 1)
     throw InputError(
-        where + ".axes: " + axes[0] + ", " + axes[1] + ", " + axes[2] +
-        " is no right-handed frame, expected three axes of which an even number is swapped or negated");
+        fmt::format("{}.axes: {}, {}, {} is no right-handed frame, expected three axes of which an even "
+                    "number is swapped or negated",
+                    where, axes[0], axes[1], axes[2]));
   return rotation;
 }
 

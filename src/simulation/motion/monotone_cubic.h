@@ -7,14 +7,15 @@
 
 namespace fissure {
 
-/// Slopes (m/s) at samples for which the cubic Hermite pieces between them are monotone wherever the samples
-/// are, each coordinate by itself: the curve hits every sample and never leaves the range of two neighbours.
+/// Slopes at the samples, m/s, with which cubic Hermite interpolation is monotone wherever the samples are,
+/// in each coordinate separately: the curve passes through every sample and stays between neighbouring ones.
 /// Fritsch and Carlson, SIAM J. Numer. Anal. 17 (1980), 238: three-point differences, zero at extrema, shrunk
 /// onto the circle of radius 3. `times_s` strictly increasing, as many as `positions_m`; a single sample has
 /// slope zero.
 std::vector<Vec3> monotoneSlopes(std::span<const double> times_s, std::span<const Vec3> positions_m);
 
-/// The cubic Hermite piece of length `length_s` at the share `u` (0..1) of it.
+/// Position on a cubic Hermite segment of duration `length_s` at the share `u` (0..1) of that duration,
+/// metres.
 Vec3 hermite(const Vec3& from_m, const Vec3& to_m, const Vec3& slope_from_m_s, const Vec3& slope_to_m_s,
              double length_s, double u);
 

@@ -14,27 +14,29 @@
 
 namespace fissure {
 
-/// A tool's pose, and a clamp's opening, as functions of scenario time.
+/// The prescribed motion of a tool: its pose, and a clamp's opening, as functions of scenario time.
 class Motion {
  public:
   virtual ~Motion() = default;
-  /// Pose at `time_s`; before 0 the first pose, after duration() the last one.
+  /// Pose in the scene frame at `time_s`; before 0 the first pose, after duration_s() the last one.
   virtual Pose poseAt(double time_s) const = 0;
-  /// Of a clamp's jaws, metres or degrees; 0 for tools that do not open. The same times as of poseAt.
+  /// Opening of a clamp at `time_s`, metres or, for hinged jaws, degrees, constant outside 0..duration_s()
+  /// like the pose; 0 for tools that do not open.
   virtual double openingAt(double) const { return 0; }
   virtual double duration_s() const = 0;
-  /// Scalars for the result's summary, e.g. what a replay held, skipped or found (empty for scripts).
+  /// Scalars for the result's summary, such as the number of gaps in a replay; empty for scripts.
   virtual Summary summary() const { return {}; }
-  /// What is odd about its log, a line each, with file and line (empty for scripts).
+  /// Oddities in its log, one line each with file and line number; empty for scripts.
   virtual std::vector<std::string> notes() const { return {}; }
 };
 
-/// Largest speed and acceleration of the tool's origin in a run of `steps` steps of `step_s`.
+/// Largest speed and acceleration of the tool's origin in a run of `steps` steps of length `step_s`.
 MotionPeaks peaksOf(const Motion& motion, double step_s, std::int64_t steps);
 
-/// Builds the motion a tool names. `directory`: where relative log files start; `files`: reads them. Throws
-/// InputError, with file and line where there is one, for a log that is missing, empty, binary, malformed,
-/// lacks a named column or has no usable row, and for settings that name no path (`tools.NAME.motion: ...`).
+/// Builds the motion of a tool. `directory`: the folder of relative log files; `files`: the cache through
+/// which they are read. Throws InputError, with file and line where known, for a log that is missing, empty,
+/// binary or malformed, lacks a named column or has no usable row, and, with `tools.NAME.motion: ...`, for
+/// settings that do not determine a motion.
 std::unique_ptr<Motion> makeMotion(const ToolSettings& tool, const std::filesystem::path& directory,
                                    const LogFiles& files = LogFiles());
 

@@ -1,5 +1,7 @@
 #include "motion/replayed_motion.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -47,8 +49,8 @@ void ReplayedMotion::setWindow(const ReplayMotion& settings, const std::string& 
   const double last_s = times_s_.back();
   const double end_s = settings.end_s.value_or(last_s);
   const auto beyond = [&](const std::string& setting, double value_s) {
-    return InputError(inFile(file), "ends at " + formatReal(last_s) + " s of log time, but " + where +
-                                        setting + " is " + formatReal(value_s));
+    return InputError(inFile(file), fmt::format("ends at {} s of log time, but {}{} is {}",
+                                                formatReal(last_s), where, setting, formatReal(value_s)));
   };
   if (!(settings.start_s >= 0)) throw InputError(where + ".start_s: expected a value of at least 0");
   if (settings.start_s > last_s + time_slack_s) throw beyond(".start_s", settings.start_s);
@@ -100,8 +102,8 @@ void ReplayedMotion::count(const DeviceLog& log, const ReplayMotion& settings) {
   if (settings.where) summary_.push_back({"replay_filtered_rows", replayed(log.filtered_rows)});
   if (opening_) summary_.push_back({"replay_saturated_openings", saturated});
   if (log.beyond_reason.empty()) return;
-  notes_.push_back(log.first_beyond_reason + ": the first of " + std::to_string(log.beyond_reason.size()) +
-                   " in the log, rows without a pose");
+  notes_.push_back(fmt::format("{}: the first of {} in the log, rows without a pose", log.first_beyond_reason,
+                               log.beyond_reason.size()));
 }
 
 void ReplayedMotion::noteSteps(const DeviceLog& log, const ReplayMotion& settings, const std::string& file) {
@@ -120,15 +122,15 @@ void ReplayedMotion::noteSteps(const DeviceLog& log, const ReplayMotion& setting
     if (steps == 0) return;
     const double step_m = stepTo_m(log, first), time_s = times_s_[first] - times_s_[first - 1];
     const bool rows = settings.layout == LogLayout::rows;
-    const std::string at =
-        rows ? inFile(file, log.lines[first]).beginning()
-             : inFile(file).beginning() + "sample " + std::to_string(log.rows[first]) + ", ";
-    notes_.push_back(at + "a step of " + withUnit(step_m, "m") + " in " + withUnit(time_s, "s") + ", " +
-                     fourDigits(step_m / time_s) + " m/s, is " + limit + ": the first of " +
-                     std::to_string(steps) + ", played as it is");
+    const std::string at = rows ? inFile(file, log.lines[first]).beginning()
+                                : fmt::format("{}sample {}, ", inFile(file).beginning(), log.rows[first]);
+    notes_.push_back(fmt::format("{}a step of {} in {}, {} m/s, is {}: the first of {}, played as it is", at,
+                                 withUnit(step_m, "m"), withUnit(time_s, "s"), fourDigits(step_m / time_s),
+                                 limit, steps));
   };
   note(jumps, first_jump, "longer than jump_m, " + withUnit(settings.jump_m, "m"));
-  note(fast, first_fast, "faster than jump_speed_m_s, " + fourDigits(settings.jump_speed_m_s) + " m/s");
+  note(fast, first_fast,
+       fmt::format("faster than jump_speed_m_s, {} m/s", fourDigits(settings.jump_speed_m_s)));
 }
 
 void ReplayedMotion::map(const DeviceLog& log, const DeviceToScene& mapping) {

@@ -11,37 +11,37 @@
 
 namespace fissure {
 
-/// A device log played back in the scene. The rules beyond those of readDeviceLog, each counted in summary():
+/// A device log that is played back in the scene. Its rules in addition to those of readDeviceLog, each with
+/// a count in summary():
 ///   - scenario time 0 is log time start_s; the replay ends at end_s or with the last sample;
-///   - at the time of a sample the pose is that sample, mapped; between two it is interpolated;
-///   - a gap, two samples more than max_gap_s apart, is held: the pose stays at the earlier sample and jumps
-///   to the
-///     later one at its time, because nobody knows what the hand did meanwhile (replay_gaps). The same before
-///     a first sample and after a last one;
-///   - a step of the device between two samples of more than jump_m (replay_jumps) or faster than
-///   jump_speed_m_s (replay_fast_steps), both before scaling, is played as it is and counted, and so is a
-///   sample equal to the one before it, as a frozen device repeats them (replay_held_samples);
-///   - of a clamp one device axis is the opening and not position; beyond its limits the opening stays there,
-///     and the samples are counted (replay_saturated_openings).
-/// Counts are of what is replayed: samples (replay_samples), steps and rows between start_s and end_s.
-/// notes() says which jump, fast step and number beyond reason comes first.
+///   - at the time of a sample the pose is the mapped sample; between samples it is interpolated;
+///   - in a gap, between two samples more than max_gap_s apart, the pose stays that of the earlier sample and
+///     jumps to the later one at its time, because the motion of the hand meanwhile is unknown (replay_gaps).
+///     Before the first and after the last sample the pose is constant too;
+///   - displacements between two samples of more than jump_m (replay_jumps) or faster than jump_speed_m_s
+///     (replay_fast_steps), both before scaling, are played unchanged and counted, as are samples equal to
+///     the one before, which a frozen device repeats (replay_held_samples);
+///   - for a clamp one device axis is the opening, not a position; beyond its limits the opening stays
+///     constant, and such samples are counted (replay_saturated_openings).
+/// Only samples (replay_samples), displacements and rows between start_s and end_s are counted. notes() names
+/// the first jump, the first fast step and the first number beyond the limits of a measurement.
 class ReplayedMotion final : public Motion {
  public:
-  /// `where`: the path of the settings in their file, for messages. Throws InputError, see makeMotion.
+  /// `where`: the key path of the settings, for messages. Throws InputError as makeMotion does.
   ReplayedMotion(const ReplayMotion& settings, const std::filesystem::path& directory,
                  const std::string& where, const LogFiles& files);
 
   Pose poseAt(double time_s) const override;
   double openingAt(double time_s) const override;
   double duration_s() const override { return duration_s_; }
-  /// replay_samples, replay_held_samples, replay_gaps, replay_jumps, replay_fast_steps, replay_dropped_rows,
-  /// of these replay_rows_beyond_reason, and replay_repeated_rows; with a filter replay_filtered_rows; of a
-  /// clamp replay_saturated_openings.
+  /// Has replay_samples, replay_held_samples, replay_gaps, replay_jumps, replay_fast_steps,
+  /// replay_dropped_rows (of which replay_rows_beyond_reason) and replay_repeated_rows; with a filter
+  /// replay_filtered_rows; for a clamp replay_saturated_openings.
   Summary summary() const override { return summary_; }
   std::vector<std::string> notes() const override { return notes_; }
 
  private:
-  /// Of the hand, as the mapping has it in the scene: with the axis that opens a clamp.
+  /// Pose of the hand in the scene frame, including the axis that opens a clamp.
   Pose handAt(double time_s) const;
   void setWindow(const ReplayMotion& settings, const std::string& file, const std::string& where);
   void count(const DeviceLog& log, const ReplayMotion& settings);
@@ -55,8 +55,8 @@ class ReplayedMotion final : public Motion {
   std::vector<double> times_s_;    ///< scenario time; negative before start_s
   std::vector<Vec3> positions_m_;  ///< scene frame
   std::vector<Vec3> slopes_m_s_;   ///< empty for linear interpolation
-  std::vector<Quat>
-      orientations_;  ///< scene frame, neighbours of one sign; one for all samples without quaternions
+  /// Scene frame, with neighbours in one hemisphere; a single one where the log has no quaternions.
+  std::vector<Quat> orientations_;
   std::optional<OpeningAxis> opening_;
   double max_gap_s_;
   double duration_s_ = 0;

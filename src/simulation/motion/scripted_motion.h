@@ -7,12 +7,13 @@
 
 namespace fissure {
 
-/// Waypoints and holds. Path and opening are continuous; at the end of a segment both are exactly its target.
+/// A motion of waypoints and holds. Path and opening are continuous and reach exactly the targets of each
+/// segment at its end.
 class ScriptedMotion final : public Motion {
  public:
-  /// `where`: the path of the settings in their file, for messages. Throws InputError for a segment that does
-  /// not say where to or how long: neither speed nor duration, a rotation on the spot without a duration, and
-  /// the like.
+  /// `where`: the key path of the settings, for messages. Throws InputError for a segment without a target or
+  /// whose duration is not determined: neither speed nor duration, a rotation on the spot without a duration,
+  /// and the like.
   ScriptedMotion(const ScriptMotion& settings, const std::string& where);
 
   Pose poseAt(double time_s) const override;
@@ -24,13 +25,14 @@ class ScriptedMotion final : public Motion {
     double start_s = 0;
     double duration_s = 0;  ///< > 0
     Pose from;
-    Pose to;                  ///< its quaternion has the sign nearest to that of `from`
+    Pose to;                  ///< its quaternion is in the hemisphere of that of `from`
     double opening_from = 0;  ///< metres or degrees
     double opening_to = 0;
     Timing timing = Timing::constant;
     double ramp_fraction = 0.25;
   };
-  /// The piece that `time_s` is in, and the share of its way covered then; nothing outside of all pieces.
+  /// The piece at `time_s`, and in `way` the share of its path that is covered then; null outside of all
+  /// pieces.
   const Piece* pieceAt(double time_s, double& way) const;
 
   Pose first_;

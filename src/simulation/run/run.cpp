@@ -1,9 +1,10 @@
 #include "run/run.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "base/frame_text.h"
@@ -35,20 +36,14 @@ bool hasFiniteEnergy(const State& state) {
 
 /// What is wrong with the state: what first left the finite scene, or "".
 std::string whatLeftTheScene(const State& state) {
-  const std::string gone = " is not finite or more than 10 km away";
+  constexpr const char* gone = "is not finite or more than 10 km away";
   for (std::size_t i = 0; i < state.positions_m.size(); ++i) {
-    if (!isUsable(state.positions_m[i])) return "tissue vertex " + std::to_string(i) + gone;
+    if (!isUsable(state.positions_m[i])) return fmt::format("tissue vertex {} {}", i, gone);
   }
   for (std::size_t t = 0; t < state.tools.size(); ++t) {
-    if (!isUsable(state.tools[t].pose.position_m)) return "tool " + std::to_string(t) + gone;
+    if (!isUsable(state.tools[t].pose.position_m)) return fmt::format("tool {} {}", t, gone);
   }
   return hasFiniteEnergy(state) ? "" : "the kinetic energy of the tissue is not finite";
-}
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, pattern, value);
-  return text;
 }
 
 /// "name: repair; repair; other name: repair", or "".
@@ -63,13 +58,18 @@ std::string repairsOf(const Scene& scene) {
   return text;
 }
 
-FrameMeasures depthsIn(const RecordLayout& layout, const RecordRow& row) {
+/// `is_measured`: whether depth and certificate of this row were looked at.
+FrameMeasures depthsIn(const RecordLayout& layout, const RecordRow& row, bool is_measured) {
   const auto value = [&](const char* name) {
     const Series* series = layout.find(name);
     return series ? std::optional(row[series->first_column]) : std::nullopt;
   };
-  return {value("penetration_depth"), value("inversion_aware_depth"), value("ground_depth"),
-          value("certified"), value("max_pressure")};
+  FrameMeasures measures = {.ground_m = value("ground_depth"), .pressure_Pa = value("max_pressure")};
+  if (!is_measured) return measures;
+  measures.depth_m = value("penetration_depth");
+  measures.inversion_aware_m = value("inversion_aware_depth");
+  measures.certified = value("certified");
+  return measures;
 }
 
 }  // namespace
@@ -187,7 +187,9 @@ bool Run::advance(std::int64_t step) {
   noteClamps(time_s);
   noteCouplings();
   state.timing.step_us = std::chrono::duration<double, std::micro>(end - start).count();
-  return whatLeftTheScene(state).empty();
+  const bool is_sound = whatLeftTheScene(state).empty();
+  state.is_last = step == steps_ || !is_sound;
+  return is_sound;
 }
 
 void Run::emit(const Outputs& outputs, RecordRow& row, FrameSource* frames) {
@@ -196,14 +198,25 @@ void Run::emit(const Outputs& outputs, RecordRow& row, FrameSource* frames) {
   row[0] = state.time_s;
   for (const auto& probe : outputs.probes) probe->sample(state, row);
   const RecordSettings& record = scenario_.record;
-  if (record.force_inputs) outputs.sink.forceInputs(state);
-  outputs.sink.append(row);
+  if (state.isOneOf(stepsPerRow(record, scenario_.measure))) {
+    if (record.force_inputs) outputs.sink.forceInputs(state);
+    outputs.sink.append(row);
+  }
   const double step_s = scenario_.time.step_s;
   if (record.snapshots_every_s && isDue(state.step, step_s, *record.snapshots_every_s))
     outputs.sink.snapshot(state);
   if (frames && isDue(state.step, step_s, record.frames->every_s)) {
-    const auto text = frameText(pipeline_.name, state.time_s, depthsIn(outputs.layout, row));
+    const bool is_measured = state.isOneOf(stepsPerMeasurement(scenario_.measure));
+    const auto text = frameText(pipeline_.name, state.time_s, depthsIn(outputs.layout, row, is_measured));
     outputs.sink.frame(state.time_s, frames->draw(state, text));
+  }
+}
+
+void Run::changeTempo(double factor) {
+  simulation_->changeTempo(factor);
+  for (Coupled& coupled : coupled_) {
+    coupled.coupling.changeTempo(factor);
+    if (factor < 1) simulation_->state().tools[coupled.tool].velocity_m_s *= factor;
   }
 }
 
@@ -240,8 +253,7 @@ RunStatus Run::execute(const Outputs& outputs) {
   summary.push_back({"non_finite_at_step", finite ? -1LL : static_cast<long long>(step)});
   if (!finite) {
     status.end = RunEnd::non_finite;
-    status.detail =
-        whatLeftTheScene(state) + " at step " + std::to_string(step) + format(" (t = %g s)", state.time_s);
+    status.detail = fmt::format("{} at step {} (t = {:g} s)", whatLeftTheScene(state), step, state.time_s);
   }
   for (const auto& probe : outputs.probes) probe->summarize(summary);
   if (const std::string repairs = repairsOf(prepared_.scene); !repairs.empty())

@@ -6,17 +6,17 @@
 
 namespace fissure {
 
-/// A choice that a scenario can name, with one line for people.
+/// A name that a scenario can choose, with a description of one line.
 struct CatalogEntry {
   std::string_view name;
   std::string_view description;
 };
 
-/// Every name a scenario can choose from. `list`, validation, help and dispatch read these tables and no
-/// other; tests say that each name has its implementation. Names of an enum or of the alternatives of a
-/// variant are in its order.
+/// All names that a scenario can choose from. `fissure list`, validation, help and dispatch read these tables
+/// and no others; tests check that each name has its implementation. The names of an enum, or of the
+/// alternatives of a variant, are in its order.
 struct Catalog {
-  std::vector<CatalogEntry> pipelines;  ///< those of pipeline_table
+  std::vector<CatalogEntry> pipelines;  ///< the names in pipeline_table
   std::vector<CatalogEntry> force_laws;
   std::vector<CatalogEntry> tissues;
   std::vector<CatalogEntry> body_models;
@@ -41,15 +41,16 @@ struct Catalog {
   std::vector<CatalogEntry> length_units;
   std::vector<CatalogEntry> time_units;
   std::vector<CatalogEntry> log_layouts;
-  std::vector<CatalogEntry> device_axes;        ///< not listed: a message names them
-  std::vector<CatalogEntry> expected_contacts;  ///< not listed: a message names them
+  std::vector<CatalogEntry> device_axes;        ///< not part of `fissure list`
+  std::vector<CatalogEntry> expected_contacts;  ///< not part of `fissure list`
   std::vector<CatalogEntry> device_frames;
-  std::vector<CatalogEntry> mesh_repairs;  ///< in the order in which they are done
+  std::vector<CatalogEntry> mesh_repairs;  ///< in the order in which they are applied
 };
 
+/// The one catalog of the program.
 const Catalog& catalog();
 
-/// What a value of an enum is called in files, results and messages; `table` is in the enum's order.
+/// The name of an enum's value in files, results and messages; `table` is in the enum's order.
 template <class Enum>
 std::string nameIn(const std::vector<CatalogEntry>& table, Enum value) {
   return std::string(table[static_cast<std::size_t>(value)].name);

@@ -4,18 +4,19 @@
 
 namespace fissure {
 
-/// What a shape is called and how `list` describes it, one line each.
+/// The name of a shape and its descriptions in `fissure list`, one line each.
 struct ShapeText {
-  std::string_view name;  ///< `type` in files
+  std::string_view name;  ///< its `type` in files
   std::string_view as_body;
   std::string_view as_tool;
 };
 
-/// What a motion is called and how people read of it.
+/// The name of a motion and its descriptions for people.
 struct MotionText {
-  std::string_view name;  ///< `type` in files
+  std::string_view name;  ///< its `type` in files
   std::string_view description;
-  std::string_view in_plan;  ///< "scripted motion"
+  /// Its name in `fissure plan`: "scripted motion".
+  std::string_view in_plan;
 };
 
 }  // namespace fissure

@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -11,17 +13,6 @@ namespace fissure {
 namespace {
 
 constexpr double slack_m = 1e-9;  // of jaws that are meant to touch the middle or to end at the hinge
-
-/// `position` and `orientation`: their keys.
-void checkPart(Checker check, const ClampPart& part, const char* position, const char* orientation) {
-  check.finite(position, part.position_m);
-  check.unit(orientation, part.orientation);
-}
-
-void checkWholePart(Checker check, const ClampPart& part) {
-  checkShape(check.in("shape"), part.shape);
-  checkPart(check, part, "position_m", "orientation");
-}
 
 /// To a micrometre, without what rounding adds.
 std::string millimetres(double length_m) {
@@ -54,39 +45,33 @@ void checkSide(Checker check, const ClampSettings& clamp, const ClampPart& jaw, 
     highest_m = std::max(highest_m, point_m.y());
   }
   check.require(innermost_m >= -slack_m, position,
-                "puts the jaw " + millimetres(-innermost_m) +
-                    " mm beyond the clamp's plane x = 0, where it meets the other one, expected it on the " +
-                    (side > 0 ? "right (x >= 0)" : "left (x <= 0)"));
+                fmt::format("puts the jaw {} mm beyond the clamp's plane x = 0, where it meets the other "
+                            "one, expected it on the {}",
+                            millimetres(-innermost_m), side > 0 ? "right (x >= 0)" : "left (x <= 0)"));
   check.require(clamp.opening == ClampOpening::parallel || highest_m <= clamp.hinge_height_m + slack_m,
                 position,
-                "puts the jaw " + millimetres(highest_m - clamp.hinge_height_m) +
-                    " mm above the hinge, where it meets the other one when they open, expected it below");
+                fmt::format("puts the jaw {} mm above the hinge, where it meets the other one when they "
+                            "open, expected it below",
+                            millimetres(highest_m - clamp.hinge_height_m)));
 }
 
-/// An opening in the unit of the clamp's kind, between `least` and what such jaws can do.
+/// An opening is in the unit of the clamp's kind.
 void checkOpening(Checker check, const ClampSettings& clamp, const std::string& in_m,
                   const std::optional<double>& opening_m, const std::string& in_deg,
                   const std::optional<double>& opening_deg) {
   const bool hinged = clamp.opening == ClampOpening::hinged;
   check.require(!hinged || !opening_m, in_m, "is given for hinged jaws, expected " + in_deg);
   check.require(hinged || !opening_deg, in_deg, "is given for parallel jaws, expected " + in_m);
-  if (!hinged && opening_m)
-    check.require(std::isfinite(*opening_m) && *opening_m >= 0, in_m,
-                  "is " + formatReal(*opening_m) + ", expected at least 0: the jaws touch there");
-  if (hinged && opening_deg) check.between(in_deg, *opening_deg, 0, max_opening_deg);
 }
 
 }  // namespace
 
 void checkClamp(Checker check, const ToolSettings& tool) {
   const ClampSettings& clamp = *tool.clamp;
-  check.finite("hinge_height_m", clamp.hinge_height_m);
   const ClampPart right{tool.shape, clamp.jaw_position_m, clamp.jaw_orientation};
-  checkPart(check, right, "jaw_position_m", "jaw_orientation");
-  if (clamp.left_jaw) checkWholePart(check.in("left_jaw"), *clamp.left_jaw);
-  if (tooMany(check.in("handle"), clamp.handle.size())) return;
-  for (std::size_t i = 0; i < clamp.handle.size(); ++i)
-    checkWholePart(check.in("handle." + std::to_string(i)), clamp.handle[i]);
+  if (clamp.left_jaw) checkShape(check.in("left_jaw").in("shape"), clamp.left_jaw->shape);
+  for (std::size_t i = 0; i < std::min(clamp.handle.size(), most_items); ++i)
+    checkShape(check.in("handle." + std::to_string(i)).in("shape"), clamp.handle[i].shape);
   checkSide(check, clamp, right, 1, "jaw_position_m");
   if (clamp.left_jaw) checkSide(check.in("left_jaw"), clamp, *clamp.left_jaw, -1, "position_m");
 }
@@ -110,8 +95,6 @@ void checkOpenings(Checker check, const ReplayMotion& motion, const std::optiona
   if (!clamp) return check.fail("opening", "is given for a tool that does not open, expected a clamp");
   Checker opening = check.in("opening");
   const DeviceOpening& device = *motion.opening;
-  opening.finite("closed_device_m", device.closed_device_m);
-  opening.finite("open_device_m", device.open_device_m);
   opening.require(device.open_device_m != device.closed_device_m, "open_device_m",
                   "is closed_device_m too, expected another place");
   checkOpening(opening, *clamp, "open_m", device.open_m, "open_deg", device.open_deg);
@@ -127,9 +110,9 @@ void checkJawNames(Checker check, const std::vector<ToolSettings>& tools) {
     if (!tool.clamp) continue;
     Checker named = check.in(tool.name);
     for (const std::string& jaw : jawNames(tool)) {
-      named.require(
-          isName(jaw), "name",
-          "is \"" + tool.name + "\", too long for its jaw \"" + jaw + "\", expected at most 58 characters");
+      named.require(isName(jaw), "name",
+                    fmt::format("is \"{}\", too long for its jaw \"{}\", expected at most 58 characters",
+                                tool.name, jaw));
       const bool taken = std::any_of(tools.begin(), tools.end(),
                                      [&](const ToolSettings& other) { return other.name == jaw; });
       check.in(jaw).require(!taken, "name",

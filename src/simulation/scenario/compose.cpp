@@ -1,5 +1,7 @@
 #include "scenario/compose.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <charconv>
 #include <map>
@@ -93,9 +95,8 @@ void mergeEntries(YamlNode& base, YamlNode top) {
 void requireShort(const std::string& path, const std::vector<std::string>& parts) {
   if (path.size() <= longest_path && parts.size() <= most_parts) return;
   failAt(ofOverride(path.substr(0, 40) + "..."),
-         "a path of " + std::to_string(parts.size()) + " names in " + std::to_string(path.size()) +
-             " bytes, expected at most " + std::to_string(most_parts) + " names in " +
-             std::to_string(longest_path));
+         fmt::format("a path of {} names in {} bytes, expected at most {} names in {}", parts.size(),
+                     path.size(), most_parts, longest_path));
 }
 
 bool differentType(const YamlNode& a, const YamlNode& b) {
@@ -117,6 +118,14 @@ YamlNode composeFile(const std::string& text, const Path& file, std::vector<Path
   YamlNode root = parseYaml(text, inFile(file, 1));
   if (root.kind == Kind::nothing) failAt(inFile(file, 1), "empty, expected a scenario");
   if (root.kind != Kind::map) failAt(root.origin, "not a map, expected `key: value` lines");
+  if (const YamlNode* reference = root.find("reference"); reference && root.find("axes"))
+    failAt(reference->origin,
+           fmt::format("a study (it has a reference), expected a scenario; type: fissure study tradeoff {}",
+                       file.string()));
+  if (const YamlNode* axes = root.find("axes"); axes && !root.find("bodies") && !root.find("tools"))
+    failAt(axes->origin, fmt::format("a sweep (it has axes), expected a scenario; type: fissure sweep {} "
+                                     "(with --dry-run it only says what it would run)",
+                                     file.string()));
   const YamlNode* base = root.find("base");
   if (!base) return root;
   const Origin origin = base->origin;
@@ -194,8 +203,8 @@ void applyOverride(YamlNode& root, const Override& override) {
     if (node->kind == Kind::list) {
       const std::size_t i = findItem(node->children, part);
       if (i == node->children.size()) {
-        failAt(origin,
-               walked + " has no item \"" + part + "\"" + didYouMean(part, itemNames(node->children)));
+        failAt(origin, fmt::format("{} has no item \"{}\"{}", walked, part,
+                                   didYouMean(part, itemNames(node->children))));
       }
       node = &node->children[i];
     } else if (node->kind == Kind::map) {
@@ -208,7 +217,7 @@ void applyOverride(YamlNode& root, const Override& override) {
       }
       node = node->find(part);
     } else {
-      failAt(origin, walked + " is a single value, expected it to have an entry \"" + part + "\"");
+      failAt(origin, fmt::format("{} is a single value, expected it to have an entry \"{}\"", walked, part));
     }
     walked += (walked.empty() ? "" : ".") + part;
   }

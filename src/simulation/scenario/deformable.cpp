@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "text/scalars.h"
+
 namespace fissure {
 
 namespace {
@@ -56,6 +58,30 @@ void fill(std::optional<T>& value, const std::optional<T>& from) {
   if (!value) value = from;
 }
 
+std::string textOf(bool value) {
+  return value ? "true" : "false";
+}
+std::string textOf(int value) {
+  return std::to_string(value);
+}
+std::string textOf(double value) {
+  return formatReal(value);
+}
+
+template <class T>
+std::string defaultOf(const std::optional<T> DeformableSolver::*field) {
+  const auto text = [&](bool tuned, ElasticMaterialKind material) {
+    return textOf(*(withDefaults({}, tuned, material).*field));
+  };
+  const std::string hookean = text(false, ElasticMaterialKind::neo_hookean),
+                    corotated = text(false, ElasticMaterialKind::linear_corotated),
+                    tuned = text(true, ElasticMaterialKind::neo_hookean);
+  if (hookean == corotated && corotated == tuned) return tuned;
+  const std::string stock =
+      hookean == corotated ? hookean : hookean + " (neo_hookean) or " + corotated + " (linear_corotated)";
+  return "stock " + stock + ", tuned " + tuned;
+}
+
 }  // namespace
 
 DeformableSolver withDefaults(const DeformableSolver& solver, bool tuned, ElasticMaterialKind material) {
@@ -79,6 +105,18 @@ DeformableSolver withDefaults(const DeformableSolver& solver, bool tuned, Elasti
   fill(filled.max_error_reduction_m_s, from.max_error_reduction_m_s);
   fill(filled.constraint_mixing, from.constraint_mixing);
   return filled;
+}
+
+std::string deformableDefault(const std::optional<bool> DeformableSolver::*field) {
+  return defaultOf(field);
+}
+
+std::string deformableDefault(const std::optional<int> DeformableSolver::*field) {
+  return defaultOf(field);
+}
+
+std::string deformableDefault(const std::optional<double> DeformableSolver::*field) {
+  return defaultOf(field);
 }
 
 }  // namespace fissure

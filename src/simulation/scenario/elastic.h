@@ -5,94 +5,94 @@
 #include <string_view>
 #include <vector>
 
-#include "scenario/regions.h"
+#include "scenario/catalog.h"
+#include "scenario/elastic_region.h"
+#include "scenario/fill.h"
 
 namespace fissure {
 
-/// What a soft body consists of.
+/// The model of a soft body.
 enum class BodyModel {
   shell,    ///< Bullet's springs along the edges of the surface
   elastic,  ///< finite elements over the whole volume
 };
 
-/// The law of an elastic body's material.
-enum class ElasticMaterialKind { neo_hookean, linear_corotated };
+/// The material law of an elastic body (elastic/METHOD.md 2).
+enum class ElasticMaterialKind { neo_hookean, linear_corotated, saint_venant_kirchhoff };
 
-/// How the mesher (TetGen) fills a closed surface with tetrahedra.
-struct FillSettings {
-  /// true: the body's triangles are those of the surface, and every new vertex lies inside. false: the mesher
-  /// may cut triangles where that makes better tetrahedra; the body's surface is then what it made of them.
-  bool keep_surface = true;
-  /// Largest radius of a tetrahedron's circumscribed sphere over its shortest edge, 1.1..10. Smaller: more
-  /// and rounder tetrahedra. Slivers can have good values: least_dihedral_deg is against them.
-  double radius_edge_ratio = 1.4;
-  double least_dihedral_deg = 15;  ///< between sides of a tetrahedron, 0..20; where the surface allows it
-  /// No tetrahedron is larger than a regular one of this edge, > 0. Where the surface is kept, new vertices
-  /// stay clear of its triangles, so that tetrahedra beside large ones may be larger: make these smaller
-  /// first
-  /// (`max_edge_m` of the shape).
-  std::optional<double> max_edge_m;
-
-  bool operator==(const FillSettings&) const = default;
-};
-
-/// The most regions of a body: what each alone would allow is looked for.
-inline constexpr std::size_t most_regions = 64;
-
-/// Part of an elastic body with a material of its own, whose law is the body's: a vessel in a liver.
-/// Tetrahedra belong to it whose centroid is where exactly one of tag, box and capsule says, in the frame of
-/// the body's shape. What has no value is the body's own.
-struct ElasticRegion {
-  std::string name;        ///< unique in the body
-  std::optional<int> tag;  ///< the physical tag of the tetrahedra in the file of a mesh
-  std::optional<BoxRegion> box;
-  std::optional<CapsuleRegion> capsule;
-  std::optional<std::string> preset;  ///< as the body's
-  std::optional<double> youngs_modulus_Pa;
-  std::optional<double> poissons_ratio;
-  std::optional<double> density_kg_m3;
-  std::optional<double> viscosity_Pa_s;
-
-  bool operator==(const ElasticRegion&) const = default;
-};
-
-/// A body of finite elements: an isotropic material in SI units (METHOD section 10).
+/// A body of finite elements: an isotropic material in SI units (elastic/METHOD.md 2).
 struct ElasticSettings {
-  /// A name in catalog().elastic_presets: modulus, ratio and density where the file leaves them out.
-  std::optional<std::string> preset;
+  std::optional<std::string> preset;  ///< a name in catalog().elastic_presets
   ElasticMaterialKind material = ElasticMaterialKind::neo_hookean;
-  double youngs_modulus_Pa = 10e3;  ///< at small strain, > 0
-  double poissons_ratio = 0.4;      ///< 0..0.49
-  double density_kg_m3 = 1000;      ///< at rest, > 0
-  double viscosity_Pa_s = 0;        ///< of the viscous stress, >= 0; conserves momentum
-  /// Deceleration over velocity, >= 0, of the motion of the body as a whole too: a means to bring a scene to
-  /// rest, no property of tissue.
+  double youngs_modulus_Pa = 10e3;
+  double poissons_ratio = 0.4;
+  double density_kg_m3 = 1000;
+  double viscosity_Pa_s = 0;
   double mass_damping_1_s = 0;
-  double friction = 0.2;  ///< Coulomb's coefficient on a tool or the ground is the product of both, >= 0
-  std::optional<FillSettings> fill;  ///< of shapes that are a surface alone; no value: its defaults
-  /// Each must hold a tetrahedron that is in none after it: the later one has it.
+  double friction = 0.2;
+  std::optional<FillSettings> fill;
   std::vector<ElasticRegion> regions;
 
-  /// The material of a region: numbers alone, without a preset and without regions.
+  /// The material of a region with the body's values filled in, without preset and regions.
   ElasticSettings materialOf(const ElasticRegion& region) const;
 
   bool operator==(const ElasticSettings&) const = default;
 };
 
-/// A material by name.
+/// A named material.
 struct ElasticPreset {
   std::string_view name;
   double youngs_modulus_Pa = 0;
   double poissons_ratio = 0;
   double density_kg_m3 = 0;
-  std::string_view description;  ///< the numbers and where they are from
+  std::string_view description;  ///< one line for people: the numbers and their source
 };
 
-/// All of them: catalog().elastic_presets lists them.
+/// All presets, in the order of catalog().elastic_presets.
 const std::vector<ElasticPreset>& elasticPresets();
 
-/// Sets what the preset says; without one, or with an unknown one, nothing.
+/// Sets modulus, ratio and density to those of the preset; changes nothing without a preset or with an
+/// unknown one.
 void applyPreset(ElasticSettings& elastic);
-void applyPreset(ElasticRegion& region);
+
+template <class Io>
+void describe(Io& io, ElasticSettings& e) {
+  const char* const preset = "unless `preset` says another";
+  io.field("preset", e.preset,
+           Key("A known material, which sets modulus, ratio and density where the file leaves them out.")
+               .oneOf(catalog().elastic_presets)
+               .otherwise("none"));
+  io.whileReading([&] { applyPreset(e); });
+  io.field("material", e.material, Key("Law of the material.").oneOf(catalog().elastic_materials));
+  io.field("youngs_modulus_Pa", e.youngs_modulus_Pa,
+           Key("Young's modulus at small strain.").above(0).except(preset));
+  io.field("poissons_ratio", e.poissons_ratio,
+           Key("Poisson's ratio. Above 0.45 elements share their pressure with their neighbours, so that "
+               "they do not lock.")
+               .noUnit()
+               .between(0, most_poissons_ratio)
+               .except(preset));
+  io.field("density_kg_m3", e.density_kg_m3, Key("Density at rest.").above(0).except(preset));
+  io.field(
+      "viscosity_Pa_s", e.viscosity_Pa_s,
+      Key("Viscosity of the viscous stress, which damps deformation and conserves momentum.").atLeast(0));
+  io.field("mass_damping_1_s", e.mass_damping_1_s,
+           Key("Deceleration over velocity, of the motion of the body as a whole too: a means to bring a "
+               "scene to rest, no property of tissue.")
+               .atLeast(0));
+  io.field("friction", e.friction,
+           Key("Coulomb's coefficient of the tissue; contacts rub with its product with the friction of the "
+               "tool or the ground.")
+               .noUnit()
+               .atLeast(0));
+  io.field("fill", e.fill,
+           Key("How TetGen fills the surface with tetrahedra, for shapes that are a surface alone (`file`, "
+               "`triangles`).")
+               .otherwise("the defaults of its keys, for such shapes"));
+  io.field("regions", e.regions,
+           Key("Parts with materials of their own, whose law is the body's. Of several regions that hold a "
+               "tetrahedron the last has it; each must have at least one.")
+               .items(0, most_regions));
+}
 
 }  // namespace fissure

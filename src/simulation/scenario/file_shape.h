@@ -5,25 +5,27 @@
 #include <string_view>
 #include <vector>
 
+#include "scenario/catalog.h"
 #include "scenario/choice_text.h"
+#include "scenario/key.h"
 
 namespace fissure {
 
 enum class LengthUnit { m, mm, cm };
 
-/// How many metres one `unit` is.
+/// The length of one `unit` in metres.
 constexpr double metres(LengthUnit unit) {
   return unit == LengthUnit::m ? 1.0 : unit == LengthUnit::cm ? 1e-2 : 1e-3;
 }
 
-/// A repair of a mesh from a file, in the order in which repairs are done.
+/// A repair of a mesh from a file, in the order in which repairs are applied.
 enum class MeshRepair {
-  drop_degenerate,       ///< triangles without area
-  drop_duplicate_faces,  ///< all but one of the triangles with the same three corners
-  keep_largest_shell,    ///< of pieces that share no vertex, the one of the largest area stays
-  drop_unreferenced,     ///< vertices that are part of no triangle
-  orient,                ///< neighbours made to agree; closed shells turned outward, cavities inward
-  cap_holes,             ///< each boundary loop closed by a fan around its middle
+  drop_degenerate,       ///< removes triangles without area
+  drop_duplicate_faces,  ///< removes all but one of the triangles with the same three corners
+  keep_largest_shell,    ///< keeps only the connected piece with the largest area
+  drop_unreferenced,     ///< removes vertices that are part of no triangle
+  orient,     ///< gives neighbours the same orientation; turns closed shells outward, cavities inward
+  cap_holes,  ///< closes each boundary loop by a fan of triangles around its middle
 };
 
 /// A triangle surface from a file: STL, OBJ, PLY or OFF.
@@ -32,18 +34,13 @@ struct FileShape {
                                   "a closed surface from an STL, OBJ, PLY or OFF file, in a stated unit",
                                   "a surface from an STL, OBJ, PLY or OFF file, in a stated unit"};
 
-  std::string file;  ///< relative to the scenario's directory; its ending says the format
-  /// Of the file's numbers. No format states it, and a wrong one is off by a thousand: no default.
+  std::string file;
   LengthUnit unit = LengthUnit::m;
-  /// Vertices no farther apart become one, >= 0; 0: only equal ones, which STL writes for each triangle anew.
   double weld_tolerance_m = 0.0;
-  /// Each once. They are done in the order of MeshRepair, and only those; what they changed is in the
-  /// result's summary.
   std::vector<MeshRepair> repairs;
-  /// Triangles are split until no edge is longer, > 0; default: as in the file.
   std::optional<double> max_edge_m;
 
-  std::optional<double> triangles() const { return std::nullopt; }  ///< only the file says
+  std::optional<double> triangles() const { return std::nullopt; }  ///< known only from the file
   std::optional<double> tetrahedra() const { return std::nullopt; }
 
   bool operator==(const FileShape&) const = default;
@@ -55,13 +52,47 @@ struct TetrahedraShape {
                                   "tetrahedra from a Gmsh (.msh) or VTK (.vtk) file, in a stated unit",
                                   "the boundary of tetrahedra from a .msh or .vtk file, in a stated unit"};
 
-  std::string file;                 ///< relative to the scenario's directory; its ending says the format
-  LengthUnit unit = LengthUnit::m;  ///< of the file's numbers; no default, as for surfaces
+  std::string file;
+  LengthUnit unit = LengthUnit::m;
 
-  std::optional<double> triangles() const { return std::nullopt; }  ///< only the file says
+  std::optional<double> triangles() const { return std::nullopt; }  ///< known only from the file
   std::optional<double> tetrahedra() const { return std::nullopt; }
 
   bool operator==(const TetrahedraShape&) const = default;
 };
+
+template <class Io>
+void describe(Io& io, FileShape& s) {
+  io.field("file", s.file,
+           Key("Mesh file, STL, OBJ, PLY or OFF by its ending, relative to the folder of the scenario file.")
+               .required());
+  io.field("unit", s.unit,
+           Key("Unit of the file's numbers. No format states it, and a wrong one is off by a thousand.")
+               .oneOf(catalog().length_units)
+               .required());
+  io.field("weld_tolerance_m", s.weld_tolerance_m,
+           Key("Vertices that are no farther apart become one; 0 joins only equal ones, which STL writes for "
+               "each triangle anew.")
+               .atLeast(0));
+  io.field("repairs", s.repairs,
+           Key("What is repaired of the mesh, each once and in the order of this list; the result's summary "
+               "says what it changed.")
+               .oneOf(catalog().mesh_repairs));
+  io.field(
+      "max_edge_m", s.max_edge_m,
+      Key("Triangles are split until no edge is longer.").above(0).otherwise("triangles as in the file"));
+}
+
+template <class Io>
+void describe(Io& io, TetrahedraShape& s) {
+  io.field("file", s.file,
+           Key("Mesh file of linear tetrahedra, Gmsh (.msh) or VTK (.vtk) by its ending, relative to the "
+               "folder of the scenario file.")
+               .required());
+  io.field("unit", s.unit,
+           Key("Unit of the file's numbers. No format states it, and a wrong one is off by a thousand.")
+               .oneOf(catalog().length_units)
+               .required());
+}
 
 }  // namespace fissure

@@ -1,5 +1,7 @@
 #include "scenario/load.h"
 
+#include <fmt/core.h>
+
 #include <utility>
 
 #include "base/error.h"
@@ -39,7 +41,7 @@ Path resolve(std::string& name, const std::string& path, const char* kind, YamlN
   try {
     requireInputFile(file, kind);
   } catch (const InputError& error) {
-    failAt(origin, path + " is \"" + name + "\": " + error.text());
+    failAt(origin, fmt::format("{} is \"{}\": {}", path, name, error.text()));
   }
   return file;
 }

@@ -8,23 +8,23 @@
 
 namespace fissure {
 
-/// `--set path=value`: `path` as in Problem, list items by name or index; `value` is YAML.
+/// An override `--set path=value`: `path` as in Problem, with list items by name or index; `value` is YAML.
 struct Override {
   std::string path;
   std::string value;
 };
 
-/// A scenario with what its result must remember.
+/// A scenario with the texts and file names that its result must keep.
 struct LoadedScenario {
   Scenario scenario;
-  std::string source;  ///< the file, verbatim
-  /// The file with its bases and overrides merged in, without what it leaves out: a line of YAML that reads
-  /// as the file does, from the same directory. Overrides mean the same on top of it; on top of `resolved`
-  /// they would not, because defaults are written out there.
+  std::string source;  ///< text of the file, verbatim
+  /// The file merged with its bases and overrides, without defaults, as one line of YAML: read in the same
+  /// directory it gives the same scenario. Further overrides can be applied to it as to the file, which is
+  /// not so for `resolved`, where defaults are written out.
   std::string composed;
   std::string resolved;  ///< toYaml(scenario)
-  std::vector<std::filesystem::path>
-      inputs;  ///< the file, its bases (nearest first), meshes and logs it names
+  /// The file, its bases (nearest first), and the meshes and logs that it names.
+  std::vector<std::filesystem::path> inputs;
 };
 
 /// Reads a scenario file, strictly: unknown or duplicate keys, wrong types, values out of range,
@@ -35,17 +35,18 @@ struct LoadedScenario {
 /// directory. An override replaces the whole value at its path.
 LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector<Override>& overrides = {});
 
-/// The same from text; `file` is used in messages, and its directory for relative names. It need not exist,
-/// and is not among `inputs`.
+/// The same from a text. `file` appears in messages, and relative names start from its directory; it need not
+/// exist and is not among `inputs`.
 LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
                              const std::vector<Override>& overrides = {});
 
-/// The scenario that a result or part file carries, from its text. The files it names need not be here any
-/// more, and `inputs` is empty. Throws InputError, with `scenario_resolved` for the file.
+/// Reads the text of a scenario that is stored in a result or part file. The files that it names need not
+/// exist any more, and `inputs` is empty. Throws InputError, in which `scenario_resolved` stands for the
+/// file.
 LoadedScenario parseStoredScenario(const std::string& text);
 
-/// The whole scenario, every default written out, numbers in the shortest form that reads back to the same
-/// double. loadScenario of this text gives an equal scenario.
+/// The whole scenario as YAML, with every default written out and numbers in the shortest form that reads
+/// back to the same double. loadScenario of this text gives an equal scenario.
 std::string toYaml(const Scenario& scenario);
 
 }  // namespace fissure

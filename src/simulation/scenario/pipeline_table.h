@@ -13,35 +13,35 @@ namespace fissure {
 /// files.
 enum class PipelineKind { default_sdf, null_sdf, cluster, deformable, raycast, fukuhara, swept, prescribed };
 
-/// What finds the contacts of a pipeline.
+/// The method by which a pipeline finds contacts.
 enum class ContactDetection {
   sdf,       ///< Bullet tests tissue vertices against the tool's signed distance field
   clusters,  ///< Bullet tests clusters of tissue vertices against the tool
   volume,    ///< Bullet's world of tetrahedra tests tissue vertices or triangles against the tool
-  nodes,     ///< rays cast from nodes on the tool; what the contacts then do is the run's `response`
-  surface,   ///< all of the tool's surface against all of the tissue's
-  sticking,  ///< tissue vertices that a tool reaches are held by it
+  nodes,     ///< rays are cast from nodes on the tool; the run's `response` says how contacts act
+  surface,   ///< all of the tool's surface is tested against all of the tissue's
+  sticking,  ///< tissue vertices stick to a tool that reaches them
 };
 
-/// What a pipeline needs of every rigid tool.
+/// The requirement of a pipeline on every rigid tool.
 enum class ToolNeed {
   convex_and_closed,  ///< a surface that bounds a convex solid
   box,
-  surface,  ///< any
+  surface,  ///< any surface
   nodes,    ///< a surface on which at least one node can stand
 };
 
-/// Whose contact tissue has with the ground.
+/// The method for contact of tissue with the ground.
 enum class GroundKind {
-  bullet,      ///< Bullet's own
-  half_space,  ///< one more obstacle of the method's own contacts
+  bullet,      ///< Bullet's own contact
+  half_space,  ///< a further obstacle of the pipeline's own contacts (contact/METHOD.md 11)
 };
 
 /// The values of Bullet's own contact that `settings` chooses together.
 struct BulletTuning {
   double sdf_voxel_m = 0;
   double kinematic_hardness = 0;
-  int least_cluster_iterations = 1;  ///< a body's own number counts where it is larger
+  int least_cluster_iterations = 1;  ///< a lower bound on a body's own number
 };
 
 inline constexpr BulletTuning stock_tuning{.sdf_voxel_m = 0.25, .kinematic_hardness = 0.1};
@@ -50,21 +50,22 @@ inline constexpr BulletTuning stock_deformable_tuning{.sdf_voxel_m = 0.005};
 inline constexpr BulletTuning fine_cluster_tuning{
     .sdf_voxel_m = 0.0005, .kinematic_hardness = 1.0, .least_cluster_iterations = 20};
 
-/// Everything about a pipeline that is known without running it.
+/// The static properties of a pipeline.
 struct PipelineTraits {
   PipelineKind kind;
-  std::string_view name;         ///< in files, results and messages
+  std::string_view name;         ///< its name in files, results and messages
   std::string_view description;  ///< one line, for people; results store it
   ContactDetection detection;
   ToolNeed need;
-  /// Whether infeasible pairs of nodes are excluded (step two of the method); for detection by nodes only.
+  /// Whether infeasible candidates are excluded by node association (contact/METHOD.md 4); detection by nodes
+  /// only.
   bool association = false;
-  /// What a run of the scenario does where it says nothing else; for detection by nodes only.
+  /// Default of a run's `vertex_contacts` and `response`; detection by nodes only.
   bool vertex_contacts = false;
   ContactResponse response = ContactResponse::none;
-  /// What a run of the scenario does where it says nothing else; detection by nodes can do either.
+  /// Default of a run's `ground_contact`; only detection by nodes can have either.
   GroundKind ground_contact = GroundKind::bullet;
-  /// What settings "stock" and "tuned" mean for this pipeline.
+  /// The values of settings "stock" and "tuned" for this pipeline.
   BulletTuning stock = stock_tuning;
   BulletTuning tuned = fine_tuning;
 };
@@ -127,9 +128,16 @@ inline constexpr auto pipeline_table = std::to_array<PipelineTraits>({
      .need = ToolNeed::box},
 });
 
+/// The table entry of a pipeline.
 constexpr const PipelineTraits& traitsOf(PipelineKind kind) {
   return pipeline_table[static_cast<std::size_t>(kind)];
 }
+
+/// The defaults of one value in words: "stock 0.25, tuned 0.0005 (pipeline deformable: stock 0.005 ...)".
+std::string tuningDefault(double BulletTuning::*value);
+
+/// The texts that `textOf` returns for the pipelines that use nodes, as in "raycast false, fukuhara true".
+std::string nodeDefault(std::string (*textOf)(const PipelineTraits&));
 
 /// The names of the pipelines with one of these detections, for messages: "pipelines default, null and
 /// cluster", or "pipeline cluster".

@@ -1,6 +1,7 @@
 #include "scenario/read.h"
 
-#include "scenario/fields.h"
+#include <fmt/core.h>
+
 #include "scenario/read_nested.h"
 
 namespace fissure {
@@ -11,7 +12,7 @@ Scenario readScenario(const YamlNode& root) {
     // Before anything else: a newer format may well have keys that this program calls unknown.
     readValue(*format, "format", scenario.format);
     if (scenario.format != 1) {
-      failAt(format->origin, "format is " + std::to_string(scenario.format) + ", expected 1");
+      failAt(format->origin, fmt::format("format is {}, expected 1", scenario.format));
     }
   }
   readValue(root, "", scenario);

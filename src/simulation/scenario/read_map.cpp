@@ -19,18 +19,20 @@ MapReader::MapReader(const YamlNode& node, std::string path) : map_(node), path_
   wrongNode(node, path_.empty() ? "the document" : path_, expected);
 }
 
-void MapReader::nameOr(const char* key, std::string& value, const char* other_key) {
-  const YamlNode* node = take(key);
-  const YamlNode* other = map_.find(other_key);
-  if (node) {
-    readValue(*node, pathOf(key), value);
-  } else if (other && other->kind == Kind::scalar) {
-    value = other->text;
-  }
+void MapReader::read(const YamlNode& node, const std::string& path, std::string& value, const Key& key) {
+  if (key.table())
+    value = (*key.table())[readChoice(node, path, *key.table())].name;
+  else if (key.canBeEmpty())
+    readText(node, path, value);
+  else
+    readValue(node, path, value);
 }
 
-void MapReader::text(const char* key, std::string& value) {
-  if (const YamlNode* node = take(key)) readText(*node, pathOf(key), value);
+std::size_t MapReader::indexIn(const YamlNode& node, const std::string& path, const Key& key) {
+  if (!key.expected()) return readChoice(node, path, *key.table());
+  std::string name;
+  readValue(node, path, name);
+  return indexOf(node, path, name, *key.table(), key.expected());
 }
 
 void MapReader::finish() const {
@@ -54,11 +56,16 @@ const YamlNode* MapReader::take(const char* key) {
   return map_.find(key);
 }
 
+std::string MapReader::textOf(const char* key) const {
+  const YamlNode* node = map_.find(key);
+  return node && node->kind == Kind::scalar ? node->text : std::string();
+}
+
 std::string MapReader::pathOf(const std::string& key) const {
   return path_.empty() ? key : path_ + "." + key;
 }
 
-void MapReader::noteMisplaced(const char* key, const char* when) {
+void MapReader::noteMisplaced(const char* key, const std::string& when) {
   if (const YamlNode* entry = map_.find(key)) misplaced_.push_back({entry, when});
 }
 

@@ -1,100 +1,74 @@
 #pragma once
 
-#include <algorithm>
 #include <optional>
 #include <string>
 #include <type_traits>
 #include <variant>
 #include <vector>
 
-#include "scenario/catalog.h"
+#include "scenario/key.h"
 #include "scenario/read_values.h"
 #include "scenario/yaml_document.h"
 
 namespace fissure {
 
-/// Reads one map, strictly: the Io of scenario/fields.h. Keys that nobody asked for are errors.
+/// Reads one map strictly, so that unknown keys are errors: an Io (scenario/key.h).
 class MapReader {
  public:
-  /// Throws InputError when the node is no map.
+  /// `path` is the node's path for messages. Throws InputError when the node is no map.
   MapReader(const YamlNode& node, std::string path);
 
   template <class T>
-  void field(const char* key, T& value) {
-    if (const YamlNode* node = take(key)) readValue(*node, pathOf(key), value);
-  }
-  template <class T>
-  void required(const char* key, T& value) {
-    field(key, value);
-    if (!map_.find(key) && missing_.empty()) missing_ = key;
-  }
-  template <class T>
-  void fieldIf(bool applies, const char* when, const char* key, T& value) {
-    if (applies) return field(key, value);
-    noteMisplaced(key, when);
-  }
-  template <class T>
-  void choice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
-    const YamlNode* node = take(key);
-    if (!node) return;
-    const std::size_t index = readChoice(*node, pathOf(key), table);
-    if constexpr (std::is_enum_v<T>) {
-      value = static_cast<T>(index);
-    } else {
-      value = table[index].name;
-    }
-  }
-  template <class T>
-  void choice(const char* key, std::optional<T>& value, const std::vector<CatalogEntry>& table) {
-    T chosen{};
-    choice(key, chosen, table);
-    if (map_.find(key)) value = std::move(chosen);
-  }
-  template <class T>
-  void requiredChoice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
-    choice(key, value, table);
-    if (!map_.find(key) && missing_.empty()) missing_ = key;
-  }
-  /// `expected` stands in the message about a text that is no name of the table.
-  template <class Enum>
-  void requiredChoice(const char* key, Enum& value, const std::vector<CatalogEntry>& table,
-                      const char* expected) {
-    std::string name;
-    required(key, name);
-    const YamlNode* node = map_.find(key);
-    if (node) value = static_cast<Enum>(indexOf(*node, pathOf(key), name, table, expected));
-  }
-  template <class T>
-  void choiceIf(bool applies, const char* when, const char* key, T& value,
-                const std::vector<CatalogEntry>& table) {
-    if (applies) return choice(key, value, table);
-    noteMisplaced(key, when);
-  }
-  template <class Enum>
-  void choices(const char* key, std::vector<Enum>& values, const std::vector<CatalogEntry>& table) {
-    const YamlNode* node = take(key);
-    if (!node) return;
-    values.clear();
-    for (const std::size_t index : readChoices(*node, pathOf(key), table))
-      values.push_back(static_cast<Enum>(index));
+  void field(const char* name, T& value, const Key& key) {
+    if (!key.applies()) return noteMisplaced(name, key.when());
+    if (const YamlNode* node = take(name)) return read(*node, pathOf(name), value, key);
+    if (key.isRequired() && missing_.empty()) missing_ = name;
+    if constexpr (std::is_same_v<T, std::string>)
+      if (key.sameAs()) value = textOf(key.sameAs());
   }
   template <class... Ts>
-  void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table);
+  void tagged(const char* name, std::variant<Ts...>& value, const Key& key);
   template <class Fill>
   void whileReading(Fill fill) {
     fill();
   }
-  void nameOr(const char* key, std::string& value, const char* other_key);
-  void text(const char* key, std::string& value);
 
-  /// Throws InputError for the first unknown key, else for the first missing one, else for one without a
-  /// meaning here.
+  /// Throws InputError for the first unknown key, else for the first missing one, else for one that does not
+  /// apply.
   void finish() const;
 
  private:
+  template <class T>
+  static void read(const YamlNode& node, const std::string& path, T& value, const Key& key) {
+    if constexpr (std::is_enum_v<T>)
+      value = static_cast<T>(indexIn(node, path, key));
+    else
+      readValue(node, path, value);
+  }
+  template <class T>
+  static void read(const YamlNode& node, const std::string& path, std::optional<T>& value, const Key& key) {
+    T one{};
+    read(node, path, one, key);
+    value = std::move(one);
+  }
+  template <class T>
+  static void read(const YamlNode& node, const std::string& path, std::vector<T>& values, const Key& key) {
+    if constexpr (std::is_enum_v<T>) {
+      values.clear();
+      for (const std::size_t index : readChoices(node, path, *key.table()))
+        values.push_back(static_cast<T>(index));
+    } else {
+      readValue(node, path, values);
+    }
+  }
+  static void read(const YamlNode& node, const std::string& path, std::string& value, const Key& key);
+  static std::size_t indexIn(const YamlNode& node, const std::string& path, const Key& key);
+
   const YamlNode* take(const char* key);
+  /// The text of a scalar entry; empty for other entries and where it is missing.
+  std::string textOf(const char* key) const;
   std::string pathOf(const std::string& key) const;
-  void noteMisplaced(const char* key, const char* when);
+  void noteMisplaced(const char* key, const std::string& when);
 
   const YamlNode& map_;
   std::string path_;
@@ -102,7 +76,7 @@ class MapReader {
   std::string missing_;
   struct Misplaced {
     const YamlNode* entry;
-    std::string when;  ///< where the key would have a meaning
+    std::string when;  ///< the condition under which the key is allowed
   };
   std::vector<Misplaced> misplaced_;
 };

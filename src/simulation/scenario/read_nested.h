@@ -11,8 +11,8 @@
 
 namespace fissure {
 
-// Values that hold others: maps with a describe(), values that may be missing, lists, arrays and the
-// alternatives of a variant.
+// Readers of values that contain others: maps with a describe(), optional values, lists, arrays and the
+// alternatives of a variant. They throw InputError as the readers of plain values do (read_values.h).
 
 template <class T>
 void readValue(const YamlNode& node, const std::string& path, T& value) {
@@ -45,7 +45,7 @@ void readValue(const YamlNode& node, const std::string& path, std::array<T, N>& 
   for (std::size_t i = 0; i < N; ++i) readValue(node.children[i], path + "." + std::to_string(i), value[i]);
 }
 
-/// Makes the variant hold its alternative number `index`, with defaults.
+/// Sets the variant to its alternative number `index`, with default values.
 template <std::size_t I = 0, class... Ts>
 void emplaceAlternative(std::variant<Ts...>& value, std::size_t index) {
   if constexpr (I < sizeof...(Ts)) {
@@ -58,17 +58,16 @@ void emplaceAlternative(std::variant<Ts...>& value, std::size_t index) {
 }
 
 template <class... Ts>
-void MapReader::tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table) {
-  const YamlNode* node = take(key);
+void MapReader::tagged(const char* name, std::variant<Ts...>& value, const Key& key) {
+  const YamlNode* node = take(name);
   if (!node) {
-    if (missing_.empty()) missing_ = key;
+    if (missing_.empty()) missing_ = name;
     return;
   }
-  MapReader io(*node, pathOf(key));
-  std::size_t index = 0;
+  MapReader io(*node, pathOf(name));
   const YamlNode* type = io.take("type");
-  if (!type) failAt(node->origin, "missing key \"type\" in " + pathOf(key) + ", expected it");
-  index = readChoice(*type, io.pathOf("type"), table);
+  if (!type) failAt(node->origin, "missing key \"type\" in " + pathOf(name) + ", expected it");
+  const std::size_t index = readChoice(*type, io.pathOf("type"), *key.table());
   emplaceAlternative(value, index);
   std::visit([&](auto& alternative) { describe(io, alternative); }, value);
   io.finish();

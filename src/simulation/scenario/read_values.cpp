@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "base/utf8.h"
 #include "scenario/compose.h"
+#include "scenario/read_map.h"
 #include "scenario/scenario.h"
 #include "text/did_you_mean.h"
 #include "text/scalars.h"
@@ -47,6 +49,23 @@ ScalarKind numberKind(const YamlNode& node, const std::string& path, const std::
   return kind;
 }
 
+Quat readAxisAngle(const YamlNode& node, const std::string& path) {
+  Vec3 axis = Vec3::Zero();
+  double angle_deg = 0;
+  MapReader io(node, path);
+  io.field("axis", axis, Key("").required());
+  io.field("angle_deg", angle_deg, Key("").required());
+  io.finish();
+  const double length = axis.stableNorm();
+  if (!(length > 0)) failAt(node.find("axis")->origin, path + ".axis is zero, expected a direction");
+  const double half_rad = std::fmod(angle_deg, 720) / 360 * std::numbers::pi;
+  const Vec3 xyz = axis / length * std::sin(half_rad);
+  Quat turn(std::cos(half_rad), xyz.x(), xyz.y(), xyz.z());
+  for (double& value : turn.coeffs())  // half a turn has a w of 0, not of 6e-17
+    if (std::abs(value) < std::numeric_limits<double>::epsilon()) value = 0;
+  return turn.normalized();
+}
+
 }  // namespace
 
 void wrongNode(const YamlNode& node, const std::string& path, const std::string& expected) {
@@ -73,6 +92,10 @@ void readValue(const YamlNode& node, const std::string& path, bool& value) {
   value = node.text == "true";
 }
 
+void readValue(const YamlNode& node, const std::string&, AnyValue& value) {
+  value.yaml = flowText(node);
+}
+
 void readText(const YamlNode& node, const std::string& path, std::string& value) {
   if (node.kind != Kind::scalar) wrongNode(node, path, "a text");
   if (!node.quoted && scalarKind(node.text) != ScalarKind::text) {
@@ -95,14 +118,21 @@ void readValue(const YamlNode& node, const std::string& path, Vec3& value) {
 }
 
 void readValue(const YamlNode& node, const std::string& path, Quat& value) {
-  requireList(node, path, 4);
+  if (node.kind == Kind::map) {
+    value = readAxisAngle(node, path);
+    return;
+  }
+  const std::string expected = "a unit quaternion [x, y, z, w] or {axis: [x, y, z], angle_deg: NUMBER}";
+  if (node.kind != Kind::list) wrongNode(node, path, expected);
+  if (node.children.size() != 4)
+    failAt(node.origin,
+           path + " has " + std::to_string(node.children.size()) + " items, expected " + expected);
   std::array<double, 4> xyzw{};
   for (std::size_t i = 0; i < 4; ++i) readValue(node.children[i], path + "." + std::to_string(i), xyzw[i]);
   value = Quat(xyzw[3], xyzw[0], xyzw[1], xyzw[2]);
   const double norm = value.norm();
-  if (!(std::abs(norm - 1) <= 1e-6)) {
-    failAt(node.origin,
-           path + " has length " + formatReal(norm) + ", expected a unit quaternion [x, y, z, w]");
+  if (!(std::abs(norm - 1) <= 1e-3)) {
+    failAt(node.origin, path + " has length " + formatReal(norm) + ", expected " + expected);
   }
   // A quaternion that is unit up to rounding stays as it is: what was written once reads back to the same
   // bits.

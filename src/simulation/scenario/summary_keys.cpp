@@ -1,5 +1,7 @@
 #include "scenario/summary_keys.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 
 #include "scenario/rigid_tools.h"
@@ -82,7 +84,8 @@ void checkSummaryKeys(Checker check, const Scenario& scenario) {
   others.insert(others.end(), (both + 1)->owners.begin(), (both + 1)->owners.end());
   check.fail(
       owners.front(),
-      "makes the summary's key \"" + both->key + "\", and so do other names, expected a key for each value",
+      fmt::format("makes the summary's key \"{}\", and so do other names, expected a key for each value",
+                  both->key),
       others);
 }
 

@@ -8,16 +8,17 @@
 
 namespace fissure {
 
-/// A key of a run's summary that is made of names of the scenario.
+/// A key of a run's summary that contains names from the scenario.
 struct NamedKey {
   std::string key;
-  std::vector<std::string> owners;  ///< whose names these are: "tools.clamp", "force.hc"
+  /// The items with these names: "tools.clamp", "force.hc".
+  std::vector<std::string> owners;
 };
 
-/// Every such key that a run may write: those of the probes and of replayed motions.
+/// All such keys that a run may write: those of the probes and of replayed motions.
 std::vector<NamedKey> namedSummaryKeys(const Scenario& scenario);
 
-/// Refuses names by which two values would have the same key.
+/// Adds a problem for names with which two values of the summary would have the same key.
 void checkSummaryKeys(Checker check, const Scenario& scenario);
 
 }  // namespace fissure

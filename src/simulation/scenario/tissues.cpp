@@ -20,14 +20,28 @@ const std::vector<Tissue>& tissues() {
   return all;
 }
 
-void applyTissue(ForceSettings& law) {
-  if (!law.tissue) return;
+namespace {
+
+/// The tissue that a law names; null without one or with an unknown one.
+const Tissue* tissueOf(const ForceSettings& law) {
   const auto found = std::find_if(tissues().begin(), tissues().end(),
-                                  [&](const Tissue& tissue) { return tissue.name == *law.tissue; });
-  if (found == tissues().end()) return;
+                                  [&](const Tissue& tissue) { return tissue.name == law.tissue; });
+  return found == tissues().end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void applyTissue(ForceSettings& law) {
+  const Tissue* found = tissueOf(law);
+  if (!found) return;
   law.coefficients.k = found->k;
   law.coefficients.n = found->n;
   law.coefficients.lambda = assumed_lambda_over_k_s_m * found->k;
+}
+
+bool isOfWholeProbe(const ForceSettings& law) {
+  const Tissue* found = tissueOf(law);
+  return found && law.coefficients.k == found->k;
 }
 
 }  // namespace fissure

@@ -7,23 +7,27 @@
 
 namespace fissure {
 
-/// F = k d^n + F0 fitted to the median of measured probing curves: the force of a whole spherical probe
-/// against its depth d. The simulation's law sums over triangles against the way of their centroids: with
-/// these numbers its exponent is the tissue's, its size is not (METHOD: force).
+/// A measured tissue: F = k d^n + F0, fitted to the median of measured probing curves, with the force F of a
+/// whole spherical probe and its depth d. The simulation sums a law over triangles and the displacements of
+/// their centroids instead: with these coefficients its exponent is that of the tissue, its magnitude is not
+/// (contact/METHOD.md 12).
 struct Tissue {
   std::string_view name;
   double k = 0;  ///< N/m^n
   double n = 0;
-  std::string_view description;  ///< the numbers, how deep they hold, and where they are from
+  /// One line for people: the numbers, the depth up to which they hold, and their source.
+  std::string_view description;
 };
 
-/// All of them: catalog().tissues lists them.
+/// All tissues, in the order of catalog().tissues.
 const std::vector<Tissue>& tissues();
 
-/// The measurements hardly say lambda: lambda/k lies between -0.3 and 1.3 s/m up to 0.04 m/s. An assumption.
-constexpr double assumed_lambda_over_k_s_m = 0.5;
+/// Whether a law has the k of its `tissue`, so that the size of its force is that of a whole probe for each
+/// triangle. A k of the scenario's own is the scenario's own business.
+bool isOfWholeProbe(const ForceSettings& law);
 
-/// Sets k, n and lambda of a Hunt-Crossley law by its `tissue`; without one, or with an unknown one, nothing.
-void applyTissue(ForceSettings& law);
+/// Assumed lambda / k of tissues, s/m. The measurements hardly determine it: they allow -0.3 to 1.3 s/m up to
+/// 0.04 m/s.
+constexpr double assumed_lambda_over_k_s_m = 0.5;
 
 }  // namespace fissure

@@ -1,58 +1,22 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <variant>
 
 #include "scenario/clamps.h"
 #include "scenario/motions.h"
+#include "scenario/nodes.h"
 #include "scenario/shapes.h"
 
 namespace fissure {
 
-/// A rule that says where nodes stand on a tool.
-enum class NodePlacement {
-  grid,       ///< on both large faces of a box, facing nodes are partners (Fukuhara)
-  centroids,  ///< one in each triangle, its partner in the triangle behind it
-};
-
-/// Where a tool's nodes stand, for the pipelines that use nodes.
-struct NodeSettings {
-  std::optional<NodePlacement> placement;  ///< default: grid for a box, centroids for every other shape
-  /// Grid: nodes along the longer and the shorter edge of each large face, 1..512.
-  std::array<int, 2> resolution = {8, 8};
-  /// Grid, beyond the paper: rows of nodes on each narrow face too, 0 (none) to 512, so that a blade meets
-  /// tissue edge first; along a row as many as on a large face.
-  int narrow_rows = 0;
-  /// Centroids: triangles are split for the placement of nodes until no edge is longer, > 0; default: as they
-  /// are.
-  std::optional<double> max_spacing_m;
-  /// Centroids: the longest pairing ray, in thicknesses of the tool where it runs, > 0. Triangles whose ray
-  /// is longer look along a thin tool, not across it.
-  double pairing_limit = 3.0;
-  /// Centroids: such triangles have nodes all the same, without partners.
-  bool lone_nodes = false;
-  /// Centroids: nodes also on the rim of the triangles that have them. Beyond the paper.
-  bool rim_nodes = true;
-
-  /// Of a grid.
-  double gridCount() const {
-    return 2.0 * resolution[0] * resolution[1] + 2.0 * narrow_rows * (resolution[0] + resolution[1]);
-  }
-
-  bool operator==(const NodeSettings&) const = default;
-};
-
-/// A tool of its own mass, which a hand leads by a spring and a damper (virtual coupling): its motion says
-/// where the hand is. What tissue does to it then moves it too; gravity does not.
+/// A virtual coupling: the tool has a mass and hangs on a hand by a spring and a damper; the prescribed
+/// motion is that of the hand. Forces of the tissue move the tool too; gravity does not.
 struct CouplingSettings {
-  double mass_kg = 0;        ///< > 0; no default, as the next two
-  double stiffness_N_m = 0;  ///< > 0
-  double damping_N_s_m = 0;  ///< >= 0
-  /// What tissue does to the tool: the name of an entry of `force:`, whose force of the step before moves it
-  /// in steps of a micronewton, without what contacts rub; or `reaction`: the contacts themselves move it as
-  /// they move the tissue, so that what the tool gains the tissue loses.
+  double mass_kg = 0;
+  double stiffness_N_m = 0;
+  double damping_N_s_m = 0;
   std::string force;
 
   bool isPushedByContacts() const { return force == "reaction"; }
@@ -60,23 +24,20 @@ struct CouplingSettings {
   bool operator==(const CouplingSettings&) const = default;
 };
 
-/// A rigid tool on a prescribed path, or led along one by a coupling; with `clamp` two of them, the jaws
-/// NAME_left and NAME_right.
+/// A rigid tool that moves as prescribed, or follows a prescribed motion by a coupling. With `clamp` it
+/// stands for two rigid tools, the jaws NAME_left and NAME_right.
 struct ToolSettings {
   std::string name;
-  SurfaceShape shape = BoxShape{};  ///< in the tool's frame
-  bool mirrored = false;            ///< the shape's mirror image in x = 0; rigidTools alone says so
+  SurfaceShape shape = BoxShape{};
+  bool mirrored = false;  ///< the shape is mirrored in x = 0; set by rigidTools only
   std::optional<ClampSettings> clamp;
   NodeSettings nodes;
-  /// Coulomb's coefficient, >= 0, times the body's `solver.dynamic_friction` (pipeline cluster: the smaller
-  /// of the two). Ray casting needs response momentum for it; to `prescribed` tissue sticks in any case.
   double friction = 0.0;
-  /// The largest force of the haptic device that the tool stands for, > 0 (Falcon: 8 N by CHAI3D's
-  /// specification). Forces beyond it are recorded as they are, with a flag. Default: no device.
   std::optional<double> force_limit_N;
-  std::optional<CouplingSettings> coupling;  ///< default: none, the tool is where its motion says
+  std::optional<CouplingSettings> coupling;
   ToolMotion motion;
 
+  /// The placement of nodes; by default a grid on boxes, else centroids.
   NodePlacement nodePlacement() const {
     const bool box = std::holds_alternative<BoxShape>(shape);
     return nodes.placement.value_or(box ? NodePlacement::grid : NodePlacement::centroids);
@@ -84,5 +45,54 @@ struct ToolSettings {
 
   bool operator==(const ToolSettings&) const = default;
 };
+
+template <class Io>
+void describe(Io& io, CouplingSettings& c) {
+  io.field("mass_kg", c.mass_kg, Key("Mass of the tool.").above(0).required());
+  io.field("stiffness_N_m", c.stiffness_N_m,
+           Key("Stiffness of the spring between hand and tool; every value is stable at every step.")
+               .above(0)
+               .required());
+  io.field("damping_N_s_m", c.damping_N_s_m, Key("Damping between hand and tool.").atLeast(0).required());
+  io.field("force", c.force,
+           Key("What tissue does to the tool: the name of an entry of `force`, whose force of the step "
+               "before moves it, without what contacts rub; or `reaction`, where the contacts themselves "
+               "move it as they move the tissue, so that what the tool gains the tissue loses.")
+               .required());
+}
+
+template <class Io>
+void describe(Io& io, ToolSettings& t) {
+  io.field("name", t.name,
+           Key("Name of the tool, once among the tools: 1 to 64 letters, digits, '_' and '-'.")
+               .itemName()
+               .required());
+  io.tagged("shape", t.shape,
+            Key("Surface of the tool, in the tool's own frame; of a clamp that of the right jaw.")
+                .oneOf(catalog().tool_shapes)
+                .required());
+  io.field("clamp", t.clamp,
+           Key("Makes the tool a clamp of two rigid jaws, which meet the tissue and not each other. In its "
+               "frame they lie left and right of the plane x = 0, and each goes half of the opening.")
+               .otherwise("no clamp: the tool is one rigid piece"));
+  t.nodes.placement = t.nodePlacement();
+  io.field("nodes", t.nodes, Key("Where nodes stand on the tool, for the pipelines that use them."));
+  io.field(
+      "friction", t.friction,
+      Key("Coulomb's coefficient of the tool; contacts rub with its product with the friction of the tissue "
+          "(pipeline cluster: the smaller of the two). Ray casting needs response momentum for it.")
+          .noUnit()
+          .atLeast(0));
+  io.field("force_limit_N", t.force_limit_N,
+           Key("Largest force of the haptic device that the tool stands for (Falcon: 8 N by CHAI3D's "
+               "specification). Forces beyond it are recorded as they are, with a flag.")
+               .above(0)
+               .otherwise("no device, no limit"));
+  io.field("coupling", t.coupling,
+           Key("Gives the tool a mass, led by a hand through a spring and a damper; `motion` is then the "
+               "hand's, and tissue pushes the tool back. Gravity does not pull at it.")
+               .otherwise("none: the tool is where its motion says"));
+  io.tagged("motion", t.motion, Key("Where the tool goes.").oneOf(catalog().motions).required());
+}
 
 }  // namespace fissure

@@ -1,11 +1,12 @@
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
 #include <set>
 
 #include "base/steps.h"
-#include "base/utf8.h"
-#include "scenario/checker.h"
+#include "scenario/range_check.h"
 #include "scenario/rigid_tools.h"
 #include "scenario/summary_keys.h"
 #include "text/scalars.h"
@@ -23,13 +24,12 @@ constexpr double max_snapshot_values = 4e10;  // 3 a vertex and snapshot
 /// `seen`: names that are taken; the list's are added.
 template <class Item, class Check>
 void checkItems(Checker check, const std::vector<Item>& items, Check checkItem, std::set<std::string>& seen) {
-  if (tooMany(check, items.size())) return;
+  if (items.size() > most_items) return;  // more are refused already
   for (std::size_t i = 0; i < items.size(); ++i) {
     const std::string& name = items[i].name;
     const bool good = isName(name);
     const bool fresh = seen.insert(name).second;
     Checker item = check.in(good && fresh ? name : std::to_string(i));
-    item.require(good, "name", "is \"" + name + "\", expected 1 to 64 letters, digits, '_' or '-'");
     item.require(!good || fresh, "name", "is \"" + name + "\" again, expected each name once");
     checkItem(item, items[i]);
   }
@@ -54,21 +54,15 @@ std::optional<double> knownDuration(const Scenario& scenario) {
   return longest_s;
 }
 
-void checkTime(Checker check, const TimeSettings& time) {
-  check.positive("step_s", time.step_s);
-  check.notNegative("settle_s", time.settle_s);
-  if (time.duration_s) check.positive("duration_s", *time.duration_s);
-}
-
 /// The duration against the step. Takes good values.
 void checkSteps(Checker check, const TimeSettings& time, double duration_s) {
-  const std::string step = "is " + formatReal(time.step_s);
-  const std::string duration = formatReal(duration_s) + " s";
+  const std::string step_s = formatReal(time.step_s), duration = formatReal(duration_s);
   if (duration_s == 0)
     return check.fail("", "has no duration_s and no tool moves or holds, expected one of them");
-  check.require(time.step_s <= duration_s, "step_s", step + ", expected at most the duration, " + duration);
+  check.require(time.step_s <= duration_s, "step_s",
+                fmt::format("is {}, expected at most the duration, {} s", step_s, duration));
   check.require(duration_s / time.step_s <= max_steps, "step_s",
-                step + ", more than 1e8 steps in " + duration + ", expected fewer");
+                fmt::format("is {}, more than 1e8 steps in {} s, expected fewer", step_s, duration));
 }
 
 double triangleCount(const Scenario& scenario) {
@@ -80,21 +74,23 @@ double triangleCount(const Scenario& scenario) {
 /// Refuses what no machine would hold. Takes good values.
 void checkSizes(Checker check, const Scenario& scenario) {
   const double triangles = triangleCount(scenario);
-  check.require(
-      triangles <= max_triangles, "bodies",
-      "have " + formatReal(triangles) + " triangles together, expected at most " + formatReal(max_triangles));
+  check.require(triangles <= max_triangles, "bodies",
+                fmt::format("have {} triangles together, expected at most {}", formatReal(triangles),
+                            formatReal(max_triangles)));
   double nodes = 0;
   for (const ToolSettings& tool : rigidTools(scenario.tools)) {
     if (tool.nodePlacement() == NodePlacement::grid) nodes += tool.nodes.gridCount();
   }
-  check.require(nodes <= max_nodes, "tools",
-                "have " + formatReal(nodes) + " nodes together, expected at most " + formatReal(max_nodes));
+  check.require(
+      nodes <= max_nodes, "tools",
+      fmt::format("have {} nodes together, expected at most {}", formatReal(nodes), formatReal(max_nodes)));
 }
 
 /// A period shorter than the step cannot be kept; equal to it up to rounding is fine.
 void checkPeriod(Checker check, const std::string& key, double every_s, double step_s) {
-  check.require(every_s >= step_s * (1 - step_slack), key,
-                "is " + formatReal(every_s) + ", expected at least time.step_s, " + formatReal(step_s));
+  check.require(
+      every_s >= step_s * (1 - step_slack), key,
+      fmt::format("is {}, expected at least time.step_s, {}", formatReal(every_s), formatReal(step_s)));
 }
 
 /// What is recorded how often against step and duration (if known). Takes good values.
@@ -102,19 +98,29 @@ void checkAmounts(Checker check, const Scenario& scenario, std::optional<double>
   const RecordSettings& record = scenario.record;
   check.require(!record.force_inputs || !scenario.force.empty(), "force_inputs",
                 "is true, but the scenario has no force law, expected one in `force`");
+  const int per_row = stepsPerRow(record, scenario.measure);
+  const int per_measurement = stepsPerMeasurement(scenario.measure);
+  check.require(per_row % per_measurement == 0, "every",
+                fmt::format("is {}, expected a multiple of measure.every, {}", per_row, per_measurement));
   if (record.frames) {
     checkPeriod(check, "frames.every_s", record.frames->every_s, scenario.time.step_s);
     const double pictures = std::floor(duration_s.value_or(0) / record.frames->every_s);
     check.require(pictures <= max_pictures, "frames.every_s",
-                  "makes " + formatReal(pictures) + " pictures, expected at most 1e6");
+                  fmt::format("makes {} pictures, expected at most 1e6", formatReal(pictures)));
   }
   if (record.snapshots_every_s) {
     checkPeriod(check, "snapshots_every_s", *record.snapshots_every_s, scenario.time.step_s);
+    const double rows = *record.snapshots_every_s / (per_row * scenario.time.step_s);
+    check.require(
+        per_row == 1 || std::abs(rows - std::round(rows)) < step_slack * rows, "snapshots_every_s",
+        fmt::format("is {}, expected a multiple of the time between two rows, {}",
+                    formatReal(*record.snapshots_every_s), formatReal(per_row * scenario.time.step_s)));
     // A closed triangle surface has about half as many vertices as triangles.
     const double snapshots = duration_s.value_or(0) / *record.snapshots_every_s;
     const double values = snapshots * triangleCount(scenario) / 2 * 3;
-    check.require(values <= max_snapshot_values, "snapshots_every_s",
-                  "makes about " + formatReal(std::round(values)) + " numbers, expected at most 4e10");
+    check.require(
+        values <= max_snapshot_values, "snapshots_every_s",
+        fmt::format("makes about {} numbers, expected at most 4e10", formatReal(std::round(values))));
   }
 }
 
@@ -123,9 +129,9 @@ void checkFriction(Checker check, const Scenario& scenario) {
   for (const ToolSettings& tool : scenario.tools) {
     for (const PipelineSettings& entry : scenario.pipelines) {
       check.require(tool.friction == 0 || entry.hasFriction(), tool.name + ".friction",
-                    "is " + formatReal(tool.friction) + ", but run " + entry.name +
-                        " has response none and with it no force to rub with, expected 0 or pipelines." +
-                        entry.name + ".response momentum");
+                    fmt::format("is {0}, but run {1} has response none and with it no force to rub with, "
+                                "expected 0 or pipelines.{1}.response momentum",
+                                formatReal(tool.friction), entry.name));
     }
   }
 }
@@ -133,15 +139,19 @@ void checkFriction(Checker check, const Scenario& scenario) {
 /// A tool that contacts push needs contacts that share momentum with it, in the scene's own time.
 void checkReaction(Checker check, const Scenario& scenario, const std::string& key) {
   for (const PipelineSettings& entry : scenario.pipelines) {
-    check.require(entry.usesSurface() || (entry.usesNodes() && entry.hasFriction()), key,
-                  "is reaction, but the contacts of run " + entry.name + " push no tool, expected " +
-                      pipelinesWith({ContactDetection::surface}) + ", or " +
-                      pipelinesWith({ContactDetection::nodes}) + " with response momentum");
+    check.require(
+        entry.usesSurface() || (entry.usesNodes() && entry.hasFriction()), key,
+        fmt::format(
+            "is reaction, but the contacts of run {} push no tool, expected {}, or {} with response momentum",
+            entry.name, pipelinesWith({ContactDetection::surface}),
+            pipelinesWith({ContactDetection::nodes})));
   }
   for (const BodySettings& body : scenario.bodies) {
-    check.require(body.timeScale() == 1, key,
-                  "is reaction, but bodies." + body.name + ".solver.time_scale is " +
-                      formatReal(body.timeScale()) + ", expected 1: tool and tissue share one time");
+    check.require(
+        body.timeScale() == 1, key,
+        fmt::format(
+            "is reaction, but bodies.{}.solver.time_scale is {}, expected 1: tool and tissue share one time",
+            body.name, formatReal(body.timeScale())));
   }
   for (const ForceSettings& law : scenario.force) {
     check.require(law.name != "reaction", key,
@@ -159,8 +169,9 @@ void checkCouplings(Checker check, const Scenario& scenario) {
     const bool known =
         std::any_of(scenario.force.begin(), scenario.force.end(),
                     [&](const ForceSettings& law) { return law.name == tool.coupling->force; });
-    check.require(known, tool.name + ".coupling.force",
-                  "is \"" + tool.coupling->force + "\", expected the name of an entry of force, or reaction");
+    check.require(
+        known, tool.name + ".coupling.force",
+        fmt::format("is \"{}\", expected the name of an entry of force, or reaction", tool.coupling->force));
   }
 }
 
@@ -180,18 +191,6 @@ void checkRelations(Checker check, const Scenario& scenario) {
   checkAmounts(check.in("record"), scenario, duration_s);
 }
 
-void checkSurroundings(Checker check, const Scenario& scenario) {
-  Checker world = check.in("world");
-  world.finite("gravity_m_s2", scenario.world.gravity_m_s2);
-  world.notNegative("air_density_kg_m3", scenario.world.air_density_kg_m3);
-  world.positive("max_displacement_m", scenario.world.max_displacement_m);
-  if (!scenario.ground) return;
-  Checker ground = check.in("ground");
-  ground.finite("height_m", scenario.ground->height_m);
-  ground.notNegative("friction", scenario.ground->friction);
-  ground.between("hardness", scenario.ground->hardness, 0, 1);
-}
-
 }  // namespace
 
 bool isName(std::string_view text) {
@@ -203,29 +202,21 @@ bool isName(std::string_view text) {
 std::vector<Problem> validate(const Scenario& scenario) {
   std::vector<Problem> problems;
   Checker check(problems, "");
-  check.require(scenario.format == 1, "format", "is " + std::to_string(scenario.format) + ", expected 1");
-  check.require(isName(scenario.name), "name",
-                "is \"" + scenario.name + "\", expected 1 to 64 letters, digits, '_' or '-'");
-  check.require(isPlainLine(scenario.description), "description",
-                "has line ends or control characters, expected one line of text");
-  checkTime(check.in("time"), scenario.time);
-  checkSurroundings(check, scenario);
-  check.require(!scenario.bodies.empty(), "bodies", "is empty, expected at least one");
+  checkRanges(check, scenario);
   checkItems(check.in("bodies"), scenario.bodies, checkBody);
   std::set<std::string> gauges;
   for (const BodySettings& body : scenario.bodies) {
     Checker of_body = check.in("bodies").in(body.name);
-    checkItems(of_body.in("gauges"), body.gauges, checkGauge, gauges);
+    checkItems(
+        of_body.in("gauges"), body.gauges,
+        [](Checker gauge, const GaugeSettings& settings) { checkBox(gauge.in("box"), settings.box); },
+        gauges);
     checkItems(of_body.in("elastic").in("regions"), body.elastic.regions, checkElasticRegion);
   }
   checkItems(check.in("tools"), scenario.tools, checkTool);
-  check.require(!scenario.pipelines.empty(), "pipelines", "is empty, expected at least one");
   checkItems(check.in("pipelines"), scenario.pipelines, checkPipeline);
   checkItems(check.in("force"), scenario.force, checkForce);
   checkRecord(check.in("record"), scenario.record);
-  if (scenario.measure.sample_spacing_m) {
-    check.in("measure").positive("sample_spacing_m", *scenario.measure.sample_spacing_m);
-  }
   checkExpectations(check.in("expect"), scenario);
   // Relations between bad values would only hide what is wrong.
   if (problems.empty()) checkRelations(check, scenario);

@@ -5,7 +5,7 @@
 #include <variant>
 #include <vector>
 
-#include "scenario/fields.h"
+#include "scenario/key.h"
 #include "scenario/load.h"
 #include "text/scalars.h"
 
@@ -45,7 +45,7 @@ concept Inline = requires(const T& value) {
   inlineText(value);
 };
 
-/// Writes one map in block style: the Io of scenario/fields.h.
+/// Writes one map in block style: an Io (scenario/key.h).
 class MapWriter {
  public:
   explicit MapWriter(int indent) : indent_(indent) {}
@@ -53,72 +53,41 @@ class MapWriter {
   const std::string& lines() const { return lines_; }
 
   template <class T>
-  void field(const char* key, T& value) {
-    if constexpr (Inline<T>) {
-      line(key, inlineText(value));
-    } else {
-      block(key, value);
-    }
-  }
-  template <class T>
-  void field(const char* key, std::optional<T>& value) {
-    if (value) field(key, *value);
-  }
-  template <class T>
-  void field(const char* key, std::vector<T>& values) {
-    if (values.empty()) return line(key, "[]");
-    lines_ += pad(indent_) + key + ":\n";
-    for (T& value : values) item(value);
-  }
-  template <class T>
-  void required(const char* key, T& value) {
-    field(key, value);
-  }
-  template <class T>
-  void fieldIf(bool applies, const char*, const char* key, T& value) {
-    if (applies) field(key, value);
-  }
-  template <class T>
-  void choice(const char* key, T& value, const std::vector<CatalogEntry>& table) {
-    if constexpr (std::is_enum_v<T>) {
-      line(key, formatText(nameIn(table, value)));
-    } else {
-      field(key, value);
-    }
-  }
-  template <class T>
-  void choice(const char* key, std::optional<T>& value, const std::vector<CatalogEntry>& table) {
-    if (value) choice(key, *value, table);
-  }
-  template <class T>
-  void requiredChoice(const char* key, T& value, const std::vector<CatalogEntry>& table,
-                      const char* = nullptr) {
-    choice(key, value, table);
-  }
-  template <class T>
-  void choiceIf(bool applies, const char*, const char* key, T& value,
-                const std::vector<CatalogEntry>& table) {
-    if (applies) choice(key, value, table);
-  }
-  template <class Enum>
-  void choices(const char* key, std::vector<Enum>& values, const std::vector<CatalogEntry>& table) {
-    std::vector<std::string> names;
-    for (const Enum value : values) names.push_back(nameIn(table, value));
-    field(key, names);
+  void field(const char* name, T& value, const Key& key) {
+    if (key.applies()) write(name, value, key);
   }
   template <class... Ts>
-  void tagged(const char* key, std::variant<Ts...>& value, const std::vector<CatalogEntry>& table) {
+  void tagged(const char* name, std::variant<Ts...>& value, const Key& key) {
     MapWriter io(indent_ + 2);
-    io.line("type", formatText(std::string(table[value.index()].name)));
+    io.line("type", formatText(std::string((*key.table())[value.index()].name)));
     std::visit([&](auto& alternative) { describe(io, alternative); }, value);
-    lines_ += pad(indent_) + key + ":\n" + io.lines_;
+    lines_ += pad(indent_) + name + ":\n" + io.lines_;
   }
   template <class Fill>
   void whileReading(Fill) {}  // what is written has every value
-  void nameOr(const char* key, std::string& value, const char*) { field(key, value); }
-  void text(const char* key, std::string& value) { field(key, value); }
 
  private:
+  template <class T>
+  void write(const char* name, T& value, const Key& key) {
+    if constexpr (std::is_enum_v<T>) {
+      line(name, formatText(nameIn(*key.table(), value)));
+    } else if constexpr (Inline<T>) {
+      line(name, inlineText(value));
+    } else {
+      block(name, value);
+    }
+  }
+  template <class T>
+  void write(const char* name, std::optional<T>& value, const Key& key) {
+    if (value) write(name, *value, key);
+  }
+  template <class T>
+  void write(const char* name, std::vector<T>& values, const Key& key) {
+    if (values.empty()) return line(name, "[]");
+    lines_ += pad(indent_) + name + ":\n";
+    for (T& value : values) item(value, key);
+  }
+
   static std::string pad(int indent) { return std::string(static_cast<std::size_t>(indent), ' '); }
 
   void line(const char* key, const std::string& value) { lines_ += pad(indent_) + key + ": " + value + "\n"; }
@@ -132,8 +101,10 @@ class MapWriter {
   }
 
   template <class T>
-  void item(T& value) {
-    if constexpr (Inline<T>) {
+  void item(T& value, const Key& key) {
+    if constexpr (std::is_enum_v<T>) {
+      lines_ += pad(indent_) + "  - " + formatText(nameIn(*key.table(), value)) + "\n";
+    } else if constexpr (Inline<T>) {
       lines_ += pad(indent_) + "  - " + inlineText(value) + "\n";
     } else {
       MapWriter io(indent_ + 4);

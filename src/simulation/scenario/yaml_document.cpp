@@ -1,14 +1,18 @@
 #include "scenario/yaml_document.h"
 
+#include <fmt/core.h>
 #include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/parser.h>
 
 #include <algorithm>
+#include <array>
+#include <fstream>
 #include <map>
 #include <optional>
 #include <sstream>
+#include <string_view>
 #include <utility>
 
 #include "text/scalars.h"
@@ -125,11 +129,11 @@ class TreeBuilder : public YAML::EventHandler {
     Open& map = open_.back();
     const auto [first, fresh] = map.lines.emplace(key.text, key.origin.line);
     if (!fresh) {
-      failAt(key.origin, "duplicate key \"" + key.text + "\", first written in line " +
-                             std::to_string(first->second) + ", expected it once");
+      failAt(key.origin, fmt::format("duplicate key \"{}\", first written in line {}, expected it once",
+                                     key.text, first->second));
     }
     if (map.lines.size() > most_keys)
-      failAt(key.origin, "more than " + std::to_string(most_keys) + " keys in one map, expected fewer");
+      failAt(key.origin, fmt::format("more than {} keys in one map, expected fewer", most_keys));
     map.key = std::move(key);
   }
 
@@ -150,12 +154,51 @@ void refuseTabs(const std::string& text, const Origin& first) {
   }
 }
 
+/// What yaml-cpp says, and the same for people: what stands there and what was expected.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 11> syntax_errors = {{
+    {YAML::ErrorMsg::END_OF_SEQ_FLOW, "a list that [ has begun is not closed, expected \",\" or \"]\""},
+    {YAML::ErrorMsg::END_OF_MAP_FLOW, "a map that { has begun is not closed, expected \",\" or \"}\""},
+    {YAML::ErrorMsg::FLOW_END, "a bracket that closes none, expected \"]\" for each [ and \"}\" for each {"},
+    {YAML::ErrorMsg::END_OF_MAP,
+     "this does not go on with the map above it, expected `key: value` lines that begin below each other, or "
+     "the end of a text where its second quote stands"},
+    {YAML::ErrorMsg::END_OF_SEQ,
+     "this does not go on with the list above it, expected `- item` lines that begin below each other"},
+    {YAML::ErrorMsg::MAP_VALUE,
+     "a \":\" that follows no key, expected one `key: value` in a line, the keys of a map below each other, "
+     "and texts with \": \" in quotes"},
+    {YAML::ErrorMsg::BLOCK_ENTRY, "\"- \" where no item can stand, expected items in lines below their key"},
+    {YAML::ErrorMsg::EOF_IN_SCALAR, "a text in quotes is not closed, expected its second quote"},
+    {YAML::ErrorMsg::DOC_IN_SCALAR, "a text in quotes is not closed, expected its second quote"},
+    {YAML::ErrorMsg::INVALID_ESCAPE,
+     "a backslash before what it cannot change, expected \\\\ or a text in single quotes"},
+    {YAML::ErrorMsg::UNKNOWN_TOKEN,
+     "a value that begins with a character which YAML keeps for itself, expected it in quotes"},
+}};
+
+/// "column 5: a list that [ has begun is not closed, expected ...".
+std::string syntaxText(const YAML::Exception& error) {
+  const int column = std::max(0, error.mark.column) + 1;
+  for (const auto& [message, text] : syntax_errors)
+    if (error.msg.starts_with(message)) return fmt::format("column {}: {}", column, text);
+  return fmt::format("column {}: {}, expected YAML", column, error.msg);
+}
+
 /// What a file says goes into messages, and messages go to terminals.
 std::string oneLine(std::string message) {
   for (char& c : message) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   }
   return message;
+}
+
+bool isHdf5(const std::filesystem::path& file) {
+  constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
+  std::string start(signature.size(), '\0');
+  std::error_code ignored;  // no pipes: they would wait
+  if (!std::filesystem::is_regular_file(file, ignored)) return false;
+  std::ifstream(file, std::ios::binary).read(start.data(), static_cast<std::streamsize>(start.size()));
+  return start == signature;
 }
 
 }  // namespace
@@ -165,6 +208,9 @@ void failAt(const Origin& origin, const std::string& message) {
 }
 
 std::string readYamlFile(const std::filesystem::path& file) {
+  if (isHdf5(file))
+    failAt(inFile(file),
+           "is an HDF5 file, as results are, expected YAML; type: fissure info " + file.string());
   std::string text = readTextFile(file, most_file_bytes);
   if (text.empty()) failAt(inFile(file), "has size 0, expected a text file");
   return text;
@@ -197,7 +243,7 @@ YamlNode parseYaml(const std::string& text, const Origin& first) {
   } catch (const YAML::DeepRecursion& error) {
     failAt(lineFrom(first, std::max(0, error.mark.line)), "nested too deeply, expected a scenario");
   } catch (const YAML::Exception& error) {
-    failAt(lineFrom(first, std::max(0, error.mark.line)), error.msg + ", expected YAML");
+    failAt(lineFrom(first, std::max(0, error.mark.line)), syntaxText(error));
   }
   std::optional<YamlNode> root = builder.takeRoot();
   if (root) return std::move(*root);

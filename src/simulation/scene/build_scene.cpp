@@ -1,5 +1,7 @@
 #include "scene/build_scene.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "contact/centroid_nodes.h"
 #include "contact/grid_nodes.h"
@@ -29,8 +31,8 @@ ToolNodes makeNodes(const ToolSettings& tool, const TriangleMesh& surface) {
   const bool few = nodes.max_spacing_m ? subdivide(fine, *nodes.max_spacing_m, most_triangles)
                                        : fine.faces.size() <= most_triangles;
   if (!few)
-    throw InputError("tools." + tool.name + ".nodes" + (nodes.max_spacing_m ? ".max_spacing_m" : "") +
-                     ": in more than " + std::to_string(most_triangles) + " triangles, expected fewer");
+    throw InputError(fmt::format("tools.{}.nodes{}: in more than {} triangles, expected fewer", tool.name,
+                                 nodes.max_spacing_m ? ".max_spacing_m" : "", most_triangles));
   return makeCentroidNodes(fine, settings);
 }
 

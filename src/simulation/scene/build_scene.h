@@ -6,17 +6,18 @@
 
 namespace fissure {
 
-/// The geometry that a scenario describes, its tools those of rigidTools(). Tools get their nodes only when
-/// `with_nodes`, clamps their handles only when the scenario asks for frames or snapshots.
-/// Throws InputError for a mesh file that cannot be read (loadSurface, readTetrahedra), for a surface that
-/// cannot be filled (fillWithTetrahedra), for regions of an elastic body that are none (volumeRegions), and
-/// for nodes in more than 131,072 triangles.
+/// Builds the geometry of a scenario, with the tools of rigidTools(). Tools get nodes only if `with_nodes`,
+/// clamps get handles only if the scenario asks for frames or snapshots. Throws InputError for a mesh file
+/// that cannot be read (loadSurface, readTetrahedra), for a surface that cannot be filled
+/// (fillWithTetrahedra), for invalid regions of an elastic body (volumeRegions), and for nodes on more than
+/// 131,072 triangles.
 Scene buildScene(const Scenario& scenario, bool with_nodes, const MeshFiles& files);
 
-/// The same for a scenario none of whose files has been read yet.
+/// The same with a cache of its own for the scenario's files.
 Scene buildScene(const Scenario& scenario, bool with_nodes);
 
-/// Makes of a scene built with nodes that of one pipeline: nodes stay where it uses them.
+/// Turns a scene that was built with nodes into that of one pipeline: nodes are removed unless the pipeline
+/// uses them.
 void adaptTo(const PipelineSettings& pipeline, Scene& scene);
 
 }  // namespace fissure

@@ -9,20 +9,22 @@
 
 namespace fissure {
 
-/// What a scenario's files hold, read once: from here checks, plans and runs of one process take it.
+/// The scene and the motions of a scenario, for which its files are read once; shared by the checks, plans
+/// and runs of a process.
 struct PreparedScenario {
   Scene scene;
   std::vector<std::unique_ptr<Motion>> motions;  ///< one per tool of the scenario
 
-  /// Until the last tool stands still; 0 without tools.
+  /// Time until the last tool motion ends; 0 without tools.
   double longestMotion_s() const;
 };
 
-/// Builds scene and motions. `with_nodes`: the tools get their nodes, which pipelines that use none do not
-/// need. Throws InputError for a file that cannot be used (buildScene, makeMotion).
+/// Builds scene and motions. `with_nodes`: whether tools get nodes. Throws InputError for a file that cannot
+/// be used (buildScene, makeMotion).
 PreparedScenario prepareScenario(const Scenario& scenario, bool with_nodes);
 
-/// The motion of each tool of a scenario, in its order; a log that several name is read once.
+/// The motions of the tools of a scenario, in their order; a log that several tools name is read once. Throws
+/// as makeMotion.
 std::vector<std::unique_ptr<Motion>> makeMotions(const Scenario& scenario);
 
 }  // namespace fissure

@@ -7,10 +7,10 @@
 
 namespace fissure {
 
-/// Of each tetrahedron of the body's volume, in the frame of its shape, the region that has it: 0 where none
-/// has, else 1 + its index in the settings; of several the last. Empty where the body has no regions. Throws
-/// InputError, with one line, for a tag where the mesh has none and for a region that is left without a
-/// tetrahedron.
+/// [tetrahedron] the region of each tetrahedron of the body's volume `mesh`, which is in the frame of the
+/// body's shape: 0 for none, else 1 + the index in the settings; where several regions hold a tetrahedron,
+/// the last one. Empty where the body has no regions. Throws InputError, with one line, for a tag where the
+/// mesh has no tags and for a region without a tetrahedron.
 std::vector<int> volumeRegions(const BodySettings& body, const TetrahedralMesh& mesh);
 
 }  // namespace fissure

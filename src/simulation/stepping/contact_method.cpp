@@ -98,7 +98,7 @@ SweptContactSettings sweptSettings(const ContactMethodContext& context) {
   return settings;
 }
 
-/// Swept contact (METHOD section 9), with the ground as one more obstacle.
+/// Swept contact (contact/METHOD.md 8), with the ground as one more obstacle.
 class SweptMethod : public ContactMethod {
  public:
   explicit SweptMethod(const ContactMethodContext& context)

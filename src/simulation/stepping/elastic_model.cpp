@@ -12,9 +12,20 @@ namespace fissure {
 
 namespace {
 
+MaterialModel modelOf(ElasticMaterialKind kind) {
+  switch (kind) {
+    case ElasticMaterialKind::neo_hookean:
+      return MaterialModel::neo_hookean;
+    case ElasticMaterialKind::linear_corotated:
+      return MaterialModel::linear_corotated;
+    case ElasticMaterialKind::saint_venant_kirchhoff:
+      return MaterialModel::saint_venant_kirchhoff;
+  }
+  throw std::invalid_argument("no such material of elastic bodies");
+}
+
 ElasticMaterial materialOf(const ElasticSettings& settings) {
-  return {.model = settings.material == ElasticMaterialKind::neo_hookean ? MaterialModel::neo_hookean
-                                                                         : MaterialModel::linear_corotated,
+  return {.model = modelOf(settings.material),
           .youngs_modulus_Pa = settings.youngs_modulus_Pa,
           .poissons_ratio = settings.poissons_ratio,
           .density_kg_m3 = settings.density_kg_m3,

@@ -6,7 +6,8 @@
 
 namespace fissure {
 
-/// The tissue of an elastic body whose scene has its volume.
+/// Makes the finite elements of an elastic body; `body` must have its volume. Throws as the constructor of
+/// ElasticTissue.
 ElasticTissue makeTissue(const BodySettings& settings, const SceneBody& body, const Vec3& gravity_m_s2);
 
 }  // namespace fissure

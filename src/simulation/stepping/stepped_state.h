@@ -14,27 +14,28 @@
 
 namespace fissure {
 
-/// The State of a run and what every engine does with it alike: tools that move from pose to pose, and force
-/// laws evaluated over the step's contacts. The engine writes tissue and contacts.
+/// The State of a run with the work on it that all engines share: tools are moved from pose to pose, and
+/// force laws are evaluated over the step's contacts. The engine itself writes tissue and contacts.
 class SteppedState {
  public:
-  /// masses_kg: one per vertex of the scene, 0: fixed.
+  /// first_poses: [tool] scene frame. masses_kg: [vertex] 0: fixed.
   SteppedState(const Scenario& scenario, const Scene& scene, const std::vector<Pose>& first_poses,
                std::vector<double> masses_kg);
 
-  /// The tools move to `poses`, which they have at the step's end. tool_inverse_masses_1_kg: one per tool;
-  /// empty: all are led.
+  /// Begins a step in which the tools move to `poses`. tool_inverse_masses_1_kg: as for Simulation::step().
   void beginStep(const std::vector<Pose>& poses, std::span<const double> tool_inverse_masses_1_kg);
-  /// After the engine's step: what touched, and the forces of the laws.
+  /// Ends a step after the engine's part: copies the contact patch into the state and evaluates the force
+  /// laws.
   void endStep();
 
+  /// [tool] states when the step began.
   const std::vector<ToolState>& toolsBefore() const { return before_; }
   State& state() { return state_; }
   const State& state() const { return state_; }
   ContactPatch& patch() { return patch_; }
-  /// Of this step, for its StepView; empty: all tools are led.
+  /// [tool] masses for the StepView of this step; empty: contacts push no tool.
   std::span<ToolBody> toolBodies() { return bodies_; }
-  /// Adds the laws' stage, where there are laws.
+  /// Appends the wall time of the force laws, where there are any.
   void addStageTimes(std::vector<StageTime>& stages) const;
 
  private:

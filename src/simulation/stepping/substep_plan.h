@@ -7,24 +7,25 @@
 
 namespace fissure {
 
-/// A region of an elastic body.
+/// The share of one region of an elastic body.
 struct RegionPlan {
   std::size_t tetrahedra = 0;
-  double critical_step_s = 0;  ///< at rest, if its material alone had a stiffness and a viscosity
+  double critical_step_s = 0;  ///< at rest, if only its material had stiffness and viscosity
 };
 
-/// What a step of an elastic body costs, known without running it.
+/// The cost of a step of an elastic body, known without running it (elastic/METHOD.md 6).
 struct SubstepPlan {
   std::size_t tetrahedra = 0;
   double critical_step_s = 0;       ///< largest stable substep of the body at rest
-  int substeps = 0;                 ///< of a step at rest; more while elements are stretched
+  int substeps = 0;                 ///< for a step at rest; more while elements are stretched
   std::vector<RegionPlan> regions;  ///< in the body's order
-  std::size_t stiffest = 0;         ///< tetrahedra: the stiffest of each hundred (stiffestElements)
+  std::size_t stiffest = 0;         ///< number of tetrahedra in the stiffest hundredth (stiffestElements)
   Vec3 stiffest_m = Vec3::Zero();   ///< centroid of the stiffest of them, scene frame
   int substeps_without_stiffest = 0;
 };
 
-/// For a body whose scene has its volume. Throws InputError where this machine cannot run it.
+/// The plan for a body, which must have its volume, and a time step. Throws InputError where this machine
+/// cannot run it.
 SubstepPlan planSubsteps(const BodySettings& settings, const SceneBody& body, double step_s);
 
 }  // namespace fissure

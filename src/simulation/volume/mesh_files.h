@@ -10,21 +10,21 @@
 
 namespace fissure {
 
-/// The surfaces and volumes behind a scenario's shapes: each file read once, each surface filled once, when
-/// somebody first asks for it. References hold as long as this object.
+/// A cache of the surfaces and volumes of a scenario's shapes: each file is read once and each surface filled
+/// once, when it is first asked for. References are valid as long as this object.
 class MeshFiles {
  public:
-  /// `directory`: where relative file names start.
+  /// `directory`: the folder of relative file names.
   explicit MeshFiles(const std::filesystem::path& directory) : directory_(directory), surfaces_(directory) {}
 
-  /// As loadSurface, which says what is thrown.
+  /// The surface in a file, in metres; throws as loadSurface.
   const FileSurface& surface(const FileShape& shape) const { return surfaces_.surface(shape); }
 
-  /// As readTetrahedra.
+  /// The volume in a file, in metres; throws as readTetrahedra.
   const BoundedVolume& volume(const TetrahedraShape& shape) const;
 
-  /// The inside of an elastic body whose shape is a surface alone, in the shape's own frame. As
-  /// fillWithTetrahedra, with "bodies.<name>.shape: " before what is wrong.
+  /// The volume of an elastic body whose shape is only a surface, in the shape's own frame. Throws as
+  /// fillWithTetrahedra, with "bodies.<name>.shape: " before the message.
   const BoundedVolume& filled(const BodySettings& body) const;
 
  private:

@@ -1,13 +1,18 @@
 #include "volume/tetgen.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdlib>
+#include <csignal>
 #include <fstream>
 #include <iomanip>
 #include <sstream>
 
 #include "base/error.h"
+#include "files/temporary_folder.h"
+#include "files/write_file.h"
 #include "process/fed_process.h"
+#include "process/interrupt.h"
 #include "process/system_program.h"
 #include "scenario/shapes.h"
 
@@ -19,30 +24,9 @@ namespace fs = std::filesystem;
 
 constexpr double most_filling_s = 120;
 
-/// A folder of its own for files between two programs, gone with this object.
-class ExchangeFolder {
- public:
-  ExchangeFolder() {
-    std::string name = (fs::temp_directory_path() / "fissure-tetgen-XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) throw RunError("cannot make a folder for TetGen: " + name);
-    path_ = name;
-  }
-  ~ExchangeFolder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  ExchangeFolder(const ExchangeFolder&) = delete;
-  ExchangeFolder& operator=(const ExchangeFolder&) = delete;
-
-  fs::path file(const char* name) const { return path_ / name; }
-
- private:
-  fs::path path_;
-};
-
 /// TetGen's format .smesh: vertices, facets, and no holes.
 void writeSurface(const TriangleMesh& surface, const fs::path& file) {
-  std::ofstream out(file);
+  std::ostringstream out;
   out.precision(17);
   out << surface.vertices_m.size() << " 3 0 0\n";
   for (std::size_t v = 0; v < surface.vertices_m.size(); ++v) {
@@ -52,8 +36,7 @@ void writeSurface(const TriangleMesh& surface, const fs::path& file) {
   out << surface.faces.size() << " 0\n";
   for (const Face& face : surface.faces) out << "3 " << face[0] << ' ' << face[1] << ' ' << face[2] << '\n';
   out << "0\n0\n";
-  out.flush();
-  if (!out) throw RunError("cannot write for TetGen: " + file.string());
+  writeFile(file, out.str());
 }
 
 /// TetGen's switches: a constrained mesh of bounded quality, optimised in all its ways as often as it can.
@@ -86,52 +69,66 @@ std::vector<std::vector<Value>> readRows(const fs::path& file, std::size_t colum
     if (!numbers || index != rows.size()) break;
     rows.push_back(std::move(row));
   }
-  if (rows.empty() || rows.size() != count) throw RunError("TetGen has left no whole mesh");
+  if (rows.empty() || rows.size() != count)
+    throw RunError("TetGen has left no whole mesh in " + file.parent_path().string() + ", as on a full disk");
   return rows;
 }
 
-TetrahedralMesh readMesh(const ExchangeFolder& folder) {
+TetrahedralMesh readMesh(const fs::path& folder) {
   TetrahedralMesh mesh;
-  for (const std::vector<double>& row : readRows<double>(folder.file("surface.1.node"), 3))
+  for (const std::vector<double>& row : readRows<double>(folder / "surface.1.node", 3))
     mesh.vertices_m.emplace_back(row[0], row[1], row[2]);
-  for (const std::vector<int>& row : readRows<int>(folder.file("surface.1.ele"), 4)) {
+  for (const std::vector<int>& row : readRows<int>(folder / "surface.1.ele", 4)) {
     for (const int v : row)
       if (v < 0 || static_cast<std::size_t>(v) >= mesh.vertices_m.size())
         throw RunError("TetGen has left a corner that does not exist");
     mesh.tetrahedra.push_back({row[0], row[1], row[2], row[3]});
   }
   if (static_cast<double>(mesh.tetrahedra.size()) > most_tetrahedra)
-    throw InputError("TetGen fills it with " + std::to_string(mesh.tetrahedra.size()) +
-                     " tetrahedra, expected at most 2097152: a larger fill.max_edge_m or radius_edge_ratio");
+    throw InputError(
+        fmt::format("TetGen fills it with {} tetrahedra, expected at most 2097152: a larger fill.max_edge_m "
+                    "or radius_edge_ratio",
+                    mesh.tetrahedra.size()));
   return mesh;
 }
 
-void runTetgen(const FillSettings& settings, const ExchangeFolder& folder) {
+/// TetGen does not say why it could not write. Throws RunError when nobody can.
+void requireSpace(const fs::path& folder) {
+  constexpr std::size_t some_bytes = 1 << 20;
+  writeFile(folder / "space", std::string(some_bytes, ' '));
+}
+
+void runTetgen(const FillSettings& settings, const fs::path& folder) {
   const std::optional<fs::path> program = programOnPath("tetgen");
   if (!program) throw RunError("filling a surface with tetrahedra needs TetGen (Debian's package tetgen)");
-  const char* const hint = ", expected a surface that neither crosses nor touches itself";
+  const InputError refusal(
+      "TetGen cannot fill it with tetrahedra, expected a surface that neither crosses nor touches itself");
+  const Descriptor requests = heldBackRequests();
   ProgramOutcome outcome;
   try {
-    outcome =
-        runProgram(*program, {switchesOf(settings), folder.file("surface.smesh").string()}, most_filling_s);
-  } catch (const RunError&) {  // it aborts where it gives up
-    throw InputError(std::string("TetGen cannot fill it with tetrahedra") + hint);
+    outcome = runProgram(*program, {switchesOf(settings), (folder / "surface.smesh").string()},
+                         most_filling_s, requests.number());
+  } catch (const KilledProgram& killed) {
+    if (killed.signal() == SIGABRT || killed.signal() == SIGSEGV) throw refusal;  // where it gives up
+    throw;
   }
   if (!outcome.in_time)
     throw InputError(
         "TetGen does not fill it within 120 s, expected larger fill.radius_edge_ratio and "
         "fill.max_edge_m, or a smaller fill.least_dihedral_deg");
-  if (outcome.code != 0 || !fs::exists(folder.file("surface.1.ele")))
-    throw InputError(std::string("TetGen cannot fill it with tetrahedra") + hint);
+  if (outcome.code == 0 && fs::exists(folder / "surface.1.ele")) return;
+  requireSpace(folder);
+  throw refusal;
 }
 
 }  // namespace
 
 BoundedVolume fillWithTetrahedra(const TriangleMesh& surface, const FillSettings& settings) {
-  const ExchangeFolder folder;
-  writeSurface(surface, folder.file("surface.smesh"));
-  runTetgen(settings, folder);
-  TetrahedralMesh mesh = readMesh(folder);
+  const RequestsHeldBack held_back;  // until the folder is gone
+  const TemporaryFolder folder;
+  writeSurface(surface, folder.path() / "surface.smesh");
+  runTetgen(settings, folder.path());
+  TetrahedralMesh mesh = readMesh(folder.path());
   if (!settings.keep_surface) {
     BoundedVolume volume = boundedBySurface(std::move(mesh));
     volume.notes.clear();  // TetGen's corners run as it likes, which says nothing about the surface

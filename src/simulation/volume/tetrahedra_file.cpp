@@ -1,5 +1,7 @@
 #include "volume/tetrahedra_file.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
@@ -10,6 +12,7 @@
 #include "files/input_file.h"
 #include "mesh/tetrahedra.h"
 #include "mesh/tetrahedron.h"
+#include "process/interrupt.h"
 #include "process/system_program.h"
 #include "scenario/shapes.h"
 #include "volume/read_tetrahedra.h"
@@ -83,12 +86,19 @@ std::string readApart(const std::filesystem::path& file) {
   const std::uintmax_t size = std::filesystem::file_size(file);
   if (size == 0) throw InputError(inFile(file), "is empty, expected a mesh");
   if (size > most_bytes) throw InputError(inFile(file), "is larger than 256 MiB, expected a smaller mesh");
-  const ProgramOutcome outcome = runProgram(
-      "/usr/bin/python3", {"-I", "-c", std::string(assets::read_tetrahedra_py), file.string(), format},
-      most_reading_s);
+  const Descriptor requests = heldBackRequests();
+  ProgramOutcome outcome;
+  try {
+    outcome = runProgram("/usr/bin/python3",
+                         {"-I", "-c", std::string(assets::read_tetrahedra_py), file.string(), format},
+                         most_reading_s, requests.number());
+  } catch (const KilledProgram& killed) {
+    throw RunError("reading " + file.string() + ": " + killed.what());
+  }
   if (!outcome.in_time) throw InputError(inFile(file), "is not read within 300 s, expected a smaller mesh");
   if (outcome.code == 3)
-    throw RunError("reading " + file.string() + " needs Debian's package python3-meshio: " + outcome.error);
+    throw RunError(
+        fmt::format("reading {} needs Debian's package python3-meshio: {}", file.string(), outcome.error));
   if (outcome.code != 0) throw InputError(inFile(file), outcome.error);
   return outcome.output;
 }
@@ -150,7 +160,7 @@ BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m) {
         counts.tagged;
     if (static_cast<double>(counts.tetrahedra) > most_tetrahedra)
       throw InputError(inFile(file),
-                       "has " + std::to_string(counts.tetrahedra) + " tetrahedra, expected at most 2097152");
+                       fmt::format("has {} tetrahedra, expected at most 2097152", counts.tetrahedra));
     mesh = unpacked(bytes, counts, unit_m);
   } catch (const std::length_error&) {
     throw RunError("reading " + file.string() + " ended before its time");

@@ -1,9 +1,9 @@
 #include "picture/picture_times.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "base/error.h"
@@ -15,14 +15,8 @@ namespace {
 
 constexpr double slack_s = 1e-9;  // what rounding may add
 
-std::string brief(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%g", value);
-  return text.data();
-}
-
 std::string rangeText(const std::vector<double>& stored_s) {
-  return "expected times from " + brief(stored_s.front()) + " to " + brief(stored_s.back()) + " s";
+  return fmt::format("expected times from {:g} to {:g} s", stored_s.front(), stored_s.back());
 }
 
 double nearest(const std::vector<double>& stored_s, double time_s) {
@@ -38,7 +32,8 @@ std::vector<double> nearestTimes(const std::vector<double>& stored_s, const std:
   for (const double time_s : at_s) {
     const double found_s = nearest(stored_s, time_s);
     if (!(std::abs(found_s - time_s) <= widest_s / 2 + slack_s))
-      throw InputError("--at: there is no snapshot near " + brief(time_s) + " s, " + rangeText(stored_s));
+      throw InputError(
+          fmt::format("--at: there is no snapshot near {:g} s, {}", time_s, rangeText(stored_s)));
     chosen.insert(found_s);
   }
   return {chosen.begin(), chosen.end()};
@@ -72,8 +67,9 @@ std::vector<std::size_t> timesShown(const std::vector<double>& times_s, double f
   const double frames = std::floor((times_s.back() - times_s.front()) * rate + 1e-6) + 1;
   if (!(frames <= most_frames))
     throw InputError(
-        "--video: would have " + brief(frames) +
-        " frames, expected at most 100000: a shorter range, fewer frames a second, less slow motion");
+        fmt::format("--video: would have {:g} frames, expected at most 100000: a shorter range, fewer frames "
+                    "a second, less slow motion",
+                    frames));
   std::vector<std::size_t> shown(times_s.size(), 0);
   std::size_t current = 0;
   for (std::size_t frame = 0; frame < static_cast<std::size_t>(frames); ++frame) {
@@ -98,9 +94,7 @@ TimeTexts::TimeTexts(const std::vector<double>& times_s) {
 }
 
 std::string TimeTexts::text(double time_s, int decimals) const {
-  std::array<char, 64> characters{};
-  std::snprintf(characters.data(), characters.size(), "%0*.*f", width_, decimals, time_s);
-  return characters.data();
+  return fmt::format("{:0{}.{}f}", time_s, width_, decimals);
 }
 
 std::string TimeTexts::of(double time_s) const {

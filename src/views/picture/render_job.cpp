@@ -1,5 +1,6 @@
 #include "picture/render_job.h"
 
+#include <fmt/core.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -47,7 +48,7 @@ std::vector<PipelineResult> chooseRuns(const ResultInfo& info, const RenderJob& 
   for (const std::string& name : job.runs) {
     const auto at = std::find(known.begin(), known.end(), name);
     if (at == known.end())
-      throw InputError(inFile(job.result), "has no run \"" + name + "\"" + didYouMean(name, known));
+      throw InputError(inFile(job.result), fmt::format("has no run \"{}\"{}", name, didYouMean(name, known)));
     const auto same = [&](const PipelineResult& run) { return run.name == name; };
     if (std::none_of(chosen.begin(), chosen.end(), same))
       chosen.push_back(info.pipelines[at - known.begin()]);
@@ -131,7 +132,7 @@ std::vector<std::vector<fs::path>> claimFiles(const RenderJob& job, const std::v
     for (const PictureSeries& series : all) {
       std::vector<fs::path>& own = files.emplace_back();
       for (const double time_s : series.times_s)
-        own.push_back(*job.folder / (series.name + "_" + texts.of(time_s) + ".png"));
+        own.push_back(*job.folder / fmt::format("{}_{}.png", series.name, texts.of(time_s)));
       for (const fs::path& file : own) {
         refuseInput(job.result, file);
         refuseExisting(file, job.force);
@@ -201,7 +202,7 @@ class VideoOfJob {
 };
 
 std::string progressText(std::size_t done, std::size_t all, double elapsed_s) {
-  std::string text = std::to_string(done) + "/" + std::to_string(all) + " pictures";
+  std::string text = fmt::format("{}/{} pictures", done, all);
   if (done > 0)
     text += ", " + durationText(elapsed_s / static_cast<double>(done) * static_cast<double>(all - done)) +
             " left";

@@ -1,5 +1,7 @@
 #include "picture/stored_pictures.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <set>
 
@@ -17,7 +19,7 @@ constexpr long long most_px = 16384;  // what H.264 takes
 void validateOrThrow(const FrameSettings& frames) {
   const std::vector<Problem> problems = validate(frames);
   if (!problems.empty())
-    throw InputError("pictures: " + problems.front().path + " " + problems.front().message);
+    throw InputError(fmt::format("pictures: {} {}", problems.front().path, problems.front().message));
 }
 
 Camera chosenCamera(const PictureSettings& settings, const std::vector<Vec3>& points_m) {
@@ -134,9 +136,10 @@ StoredPictures::StoredPictures(const std::filesystem::path& file, const std::vec
   for (Panel& panel : panels_) panel.setCamera(camera);
   size_ = joinedSize({camera.width_px, camera.height_px}, static_cast<int>(runs.size()), settings.columns);
   if (size_.width_px > most_px || size_.height_px > most_px)
-    throw InputError("the panels together have " + std::to_string(size_.width_px) + " x " +
-                     std::to_string(size_.height_px) + " px, expected at most " + std::to_string(most_px) +
-                     " x " + std::to_string(most_px) + ": a smaller --size, other --columns");
+    throw InputError(
+        fmt::format("the panels together have {0} x {1} px, expected at most {2} x {2}: a smaller --size, "
+                    "other --columns",
+                    size_.width_px, size_.height_px, most_px));
 }
 
 void StoredPictures::check(double time_s) const {

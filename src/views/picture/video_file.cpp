@@ -1,5 +1,7 @@
 #include "picture/video_file.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "text/scalars.h"
 
@@ -42,7 +44,7 @@ const std::vector<std::string>& videoKinds() {
 }
 
 std::vector<std::string> ffmpegArguments(const VideoSettings& settings, const std::filesystem::path& file) {
-  const std::string size = std::to_string(settings.width_px) + "x" + std::to_string(settings.height_px);
+  const std::string size = fmt::format("{}x{}", settings.width_px, settings.height_px);
   Words words = {"-hide_banner", "-loglevel", "error", "-nostdin", "-xerror"};
   const Words input = {"-f",          "rawvideo", "-pixel_format", "rgb24",
                        "-video_size", size,       "-framerate",    formatReal(settings.frames_per_s),

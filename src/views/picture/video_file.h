@@ -11,30 +11,32 @@
 
 namespace fissure {
 
-/// Names of the kinds of video, which are the endings of their files: "mp4", "webm", "gif".
+/// The kinds of video, which are also the endings of their files: "mp4", "webm", "gif".
 const std::vector<std::string>& videoKinds();
 
 struct VideoSettings {
-  std::string kind = "mp4";  ///< of videoKinds()
+  /// One of videoKinds().
+  std::string kind = "mp4";
   int width_px = 0;
   int height_px = 0;
   double frames_per_s = 25;
 };
 
-/// What ffmpeg is told: raw pictures from its standard input become `file`. The same pictures give the same
-/// bytes with the same ffmpeg.
+/// The command line with which ffmpeg turns raw pictures on its standard input into `file`. The same pictures
+/// and the same ffmpeg give the same bytes.
 std::vector<std::string> ffmpegArguments(const VideoSettings& settings, const std::filesystem::path& file);
 
-/// A video in the making. Under its name stands either the whole file or what stood there before.
+/// An unfinished video. Its file is replaced completely by finish() or not at all.
 class VideoFile {
  public:
-  /// Starts `ffmpeg`; `stop_descriptor` as for FedProcess. Throws RunError.
+  /// Starts the program `ffmpeg`; `stop_descriptor` as for FedProcess. Throws RunError when it cannot start.
   VideoFile(const std::filesystem::path& file, const std::filesystem::path& ffmpeg,
             const VideoSettings& settings, int stop_descriptor);
 
-  /// All of the size that the settings say. Throws RunError with what ffmpeg said last.
+  /// Appends a frame, which must have the size of the settings. Throws RunError with ffmpeg's last message
+  /// when it fails.
   void add(const Image& image);
-  /// The last call. Throws RunError, also when the file cannot take its name.
+  /// Completes the video; to be called last. Throws RunError when ffmpeg fails or the file cannot be renamed.
   void finish();
 
  private:

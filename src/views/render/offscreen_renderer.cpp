@@ -1,5 +1,7 @@
 #include "render/offscreen_renderer.h"
 
+#include <fmt/core.h>
+
 #include "base/error.h"
 #include "render/overlay.h"
 #include "render/scene_painter.h"
@@ -30,16 +32,16 @@ class OffscreenRenderer : public FrameSource {
   Image draw(const State& state, const std::vector<std::string>& lines) override {
     if (state.positions_m.size() != static_cast<std::size_t>(scene_.vertexCount()) ||
         state.tools.size() != scene_.tools.size() || state.clamps.size() != scene_.clamps.size()) {
-      throw RunError("frames: a state of " + std::to_string(state.positions_m.size()) + " vertices and " +
-                     std::to_string(state.tools.size()) + " tools, " + std::to_string(state.clamps.size()) +
-                     " clamps does not fit the scene");
+      throw RunError(
+          fmt::format("frames: a state of {} vertices and {} tools, {} clamps does not fit the scene",
+                      state.positions_m.size(), state.tools.size(), state.clamps.size()));
     }
     mesa_.makeCurrent();
     mesa_.gl().viewport(0, 0, mesa_.width_px(), mesa_.height_px());
     painter_.paint(mesa_.gl(), state);
     Image image = downsample(mesa_.finishedPicture(), camera_.width_px, camera_.height_px, scale_);
     if (!state.contact.node_states.empty()) {
-      const std::vector<float> depths = mesa_.depths();
+      const auto depths = [&](const PixelRectangle& part) { return mesa_.depths(part); };
       drawNodes(image, camera_, scene_, state, {depths, scale_});
       drawNodeLegend(image);
     }

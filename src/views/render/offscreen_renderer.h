@@ -9,14 +9,14 @@
 
 namespace fissure {
 
-/// A software renderer on OSMesa, which is loaded (dlopen) here and not before. `first` frames the default
-/// camera when `settings` names none, and the ground's visible part. What is drawn: ScenePainter and
-/// overlay.h say. Vertices that are not finite are left out with their triangles. Two pictures of one state
-/// are the same, byte for byte. Throws RunError when OSMesa is not installed or refuses the size; InputError
-/// when the camera looks at itself.
+/// Makes a software renderer on OSMesa, which is loaded (dlopen) by this call. The state `first` determines
+/// the default camera, where `settings` has none, and the visible part of the ground. ScenePainter and
+/// overlay.h describe what is drawn. Triangles with a vertex that is not finite are left out. Two pictures of
+/// one state are equal byte for byte. Throws RunError when OSMesa is not installed or refuses the size,
+/// InputError when the camera's position and target coincide.
 std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const FrameSettings& settings,
                                                    const State& first);
-/// The same through a camera of one's own, which has the size of the pictures.
+/// The same with a given camera, which also has the size of the pictures.
 std::unique_ptr<FrameSource> makeOffscreenRenderer(const Scene& scene, const Camera& camera,
                                                    const State& first);
 

@@ -1,6 +1,7 @@
 #include "render/osmesa.h"
 
 #include <dlfcn.h>
+#include <fmt/core.h>
 
 #include <cstdlib>
 
@@ -13,8 +14,8 @@ template <typename Function>
 Function lookUp(void* handle, const char* name, const std::string& library) {
   void* address = dlsym(handle, name);
   if (address == nullptr) {
-    throw RunError("frames: " + library + " has no " + name +
-                   ", expected OSMesa of Debian's package libosmesa6");
+    throw RunError(
+        fmt::format("frames: {} has no {}, expected OSMesa of Debian's package libosmesa6", library, name));
   }
   return reinterpret_cast<Function>(address);
 }
@@ -68,8 +69,7 @@ OsMesa::OsMesa(int width_px, int height_px, const std::string& library)
   GLint largest_px[2] = {0, 0};
   gl_.getIntegerv(GL_MAX_VIEWPORT_DIMS, largest_px);
   if (width_px > largest_px[0] || height_px > largest_px[1]) {
-    throw RunError("frames: OSMesa draws at most " + std::to_string(largest_px[0]) + " x " +
-                   std::to_string(largest_px[1]) + " pixels");
+    throw RunError(fmt::format("frames: OSMesa draws at most {} x {} pixels", largest_px[0], largest_px[1]));
   }
 }
 
@@ -111,22 +111,22 @@ std::string OsMesa::text(GLenum name) const {
 
 void OsMesa::makeCurrent() {
   if (make_current_(context_.get(), rgba_.data(), GL_UNSIGNED_BYTE, width_px_, height_px_) != GL_TRUE) {
-    throw RunError("frames: OSMesa refuses a picture of " + std::to_string(width_px_) + " x " +
-                   std::to_string(height_px_) + " pixels");
+    throw RunError(fmt::format("frames: OSMesa refuses a picture of {} x {} pixels", width_px_, height_px_));
   }
 }
 
 std::span<const std::uint8_t> OsMesa::finishedPicture() {
   gl_.finish();
   if (const GLenum error = gl_.getError(); error != GL_NO_ERROR) {
-    throw RunError("frames: OpenGL error " + std::to_string(error) + " while drawing");
+    throw RunError(fmt::format("frames: OpenGL error {} while drawing", error));
   }
   return rgba_;
 }
 
-std::vector<float> OsMesa::depths() const {
-  std::vector<float> depths(static_cast<std::size_t>(width_px_) * height_px_);
-  gl_.readPixels(0, 0, width_px_, height_px_, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+std::vector<float> OsMesa::depths(const PixelRectangle& part) const {
+  std::vector<float> depths(static_cast<std::size_t>(part.columns) * part.rows);
+  gl_.readPixels(part.left, part.bottom, part.columns, part.rows, GL_DEPTH_COMPONENT, GL_FLOAT,
+                 depths.data());
   return depths;
 }
 

@@ -9,10 +9,12 @@
 #include <type_traits>
 #include <vector>
 
+#include "render/canvas.h"
+
 namespace fissure {
 
-/// The few functions of OpenGL that frames need, looked up at run time: headers give their types, nothing is
-/// linked.
+/// The functions of OpenGL that are needed, looked up at run time: their types come from the headers, and
+/// nothing is linked.
 struct GlFunctions {
   decltype(&::glBlendEquation) blendEquation = nullptr;
   decltype(&::glBlendFunc) blendFunc = nullptr;
@@ -40,28 +42,30 @@ struct GlFunctions {
   decltype(&::glViewport) viewport = nullptr;
 };
 
-/// One OSMesa context with its own picture of 8 bits RGBA and 24 bits of depth. Owned by one thread.
+/// An OSMesa context with its own picture of 8 bits per channel (RGBA) and 24 bits of depth. It belongs to
+/// one thread.
 class OsMesa {
  public:
-  /// Loads `library` (kept in memory until the process ends) and makes a context. Throws RunError when that
-  /// library or a function of it is missing, or when it refuses the size.
+  /// Loads `library`, which stays in memory until the process ends, and makes a context. Throws RunError when
+  /// the library or one of its functions is missing, or when it refuses the size.
   OsMesa(int width_px, int height_px, const std::string& library = "libOSMesa.so.8");
 
-  /// Makes this context the one that gl() acts on. Throws RunError when OSMesa refuses.
+  /// Makes this context the one on which gl() acts. Throws RunError when OSMesa refuses.
   void makeCurrent();
   const GlFunctions& gl() const { return gl_; }
   int width_px() const { return width_px_; }
   int height_px() const { return height_px_; }
 
-  /// "3.1 Mesa 22.3.6" and "llvmpipe (LLVM 15.0.6, 256 bits)", or "unknown".
+  /// The version, as "3.1 Mesa 22.3.6", and the renderer, as "llvmpipe (LLVM 15.0.6, 256 bits)"; or
+  /// "unknown".
   std::string version() const { return text(GL_VERSION); }
   std::string renderer() const { return text(GL_RENDERER); }
 
-  /// The picture after everything asked for is drawn: 4 bytes a pixel, rows from bottom to top. Throws
-  /// RunError when OpenGL reports an error.
+  /// The picture after all drawing has finished: 4 bytes per pixel, rows from bottom to top. Throws RunError
+  /// when OpenGL reports an error.
   std::span<const std::uint8_t> finishedPicture();
-  /// The depth buffer in the same order, 0 (near) to 1 (far).
-  std::vector<float> depths() const;
+  /// A part of the depth buffer in the same order, values from 0 (near) to 1 (far).
+  std::vector<float> depths(const PixelRectangle& part) const;
 
  private:
   using Context = std::unique_ptr<std::remove_pointer_t<OSMesaContext>, decltype(&::OSMesaDestroyContext)>;

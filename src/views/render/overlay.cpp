@@ -17,17 +17,39 @@ struct NodeDot {
   bool hidden = false;
 };
 
-bool isHidden(const PicturePoint& at, const Camera& camera, const DepthPicture& depths) {
-  const int columns = camera.width_px * depths.scale;
-  const int rows = camera.height_px * depths.scale;
-  const int column = static_cast<int>(std::floor(at.x_px * depths.scale));
-  const int row = rows - 1 - static_cast<int>(std::floor(at.y_px * depths.scale));
-  if (column < 0 || column >= columns || row < 0 || row >= rows) {
-    return false;
+/// The pixel of the OpenGL picture in which a dot lies, counted from bottom left, which may be outside of it.
+struct Pixel {
+  double column, row;
+};
+
+Pixel pixelOf(const PicturePoint& at, const Camera& camera, int scale) {
+  return {std::floor(at.x_px * scale), camera.height_px * scale - 1 - std::floor(at.y_px * scale)};
+}
+
+bool isInPicture(const Pixel& pixel, const Camera& camera, int scale) {
+  return pixel.column >= 0 && pixel.column < camera.width_px * scale && pixel.row >= 0 &&
+         pixel.row < camera.height_px * scale;
+}
+
+/// The dots whose nodes can be seen or hidden: those in the picture; others keep `hidden` false.
+void findHidden(std::vector<NodeDot>& dots, const Camera& camera, const DepthPicture& depths) {
+  Eigen::AlignedBox2i box;
+  for (const NodeDot& dot : dots)
+    if (const Pixel pixel = pixelOf(dot.at, camera, depths.scale); isInPicture(pixel, camera, depths.scale))
+      box.extend(Eigen::Vector2i(static_cast<int>(pixel.column), static_cast<int>(pixel.row)));
+  if (box.isEmpty()) return;
+  const PixelRectangle part{box.min().x(), box.min().y(), box.sizes().x() + 1, box.sizes().y() + 1};
+  const std::vector<float> stored = depths.read(part);
+  for (NodeDot& dot : dots) {
+    const Pixel pixel = pixelOf(dot.at, camera, depths.scale);
+    if (!isInPicture(pixel, camera, depths.scale)) continue;
+    const auto column = static_cast<std::size_t>(pixel.column) - static_cast<std::size_t>(part.left);
+    const auto row = static_cast<std::size_t>(pixel.row) - static_cast<std::size_t>(part.bottom);
+    const double depth_m =
+        camera.depthFromStored(stored[row * static_cast<std::size_t>(part.columns) + column]);
+    // The node lies on the tool's own surface: a slack of 1/400 covers that surface's slope within a pixel.
+    dot.hidden = dot.at.depth_m > depth_m * (1 + 1.0 / 400);
   }
-  const float stored = depths.stored[static_cast<std::size_t>(row) * columns + column];
-  // The node lies on the tool's own surface: a slack of 1/400 covers that surface's slope within a pixel.
-  return at.depth_m > camera.depthFromStored(stored) * (1 + 1.0 / 400);
 }
 
 std::string lengthLabel(double length_m) {
@@ -130,10 +152,11 @@ void drawNodes(Image& image, const Camera& camera, const Scene& scene, const Sta
       const Vec3 placed_m = state.tools[tool].pose.toScene(nodes.positions_m[i]);
       const auto at = drawable(placed_m) ? camera.project(placed_m) : std::nullopt;
       if (at && index < state.contact.node_states.size()) {
-        dots.push_back({*at, state.contact.node_states[index], isHidden(*at, camera, depths)});
+        dots.push_back({*at, state.contact.node_states[index]});
       }
     }
   }
+  findHidden(dots, camera, depths);
   std::stable_sort(dots.begin(), dots.end(),
                    [](const NodeDot& a, const NodeDot& b) { return a.at.depth_m > b.at.depth_m; });
   const double unit_px = font::unitFor(image.height_px);

@@ -1,7 +1,6 @@
 #pragma once
 
-#include <optional>
-#include <span>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -12,31 +11,31 @@
 
 namespace fissure {
 
-/// What is written over a finished picture. All keep clear of each other and leave out what does not fit.
+/// Overlays on a finished picture. They leave out what does not fit, and do not overlap each other.
 
-/// Lines of text in the top left corner, in letters as large as the width allows.
+/// Draws lines of text in the top left corner, in letters as large as the width allows.
 void drawLines(Image& image, const std::vector<std::string>& lines);
 
-/// A bar in the bottom right corner that is 10 mm long at the camera's focus; where 10 mm would be under 1/24
-/// or over a third of the width, the nearest 1, 2 or 5 times a power of ten that is not.
+/// Draws a bar of scaleBarLength_m() at the camera's focus in the bottom right corner.
 void drawScaleBar(Image& image, const Camera& camera);
 
-/// The length that drawScaleBar shows, metres.
+/// Length of the scale bar, metres: 10 mm, or, where that would be less than 1/24 or more than a third of the
+/// picture's width, the nearest 1, 2 or 5 times a power of ten for which it is not.
 double scaleBarLength_m(const Camera& camera);
 
-/// The colours of the node states, in the bottom left corner.
+/// Draws the legend of node states in the bottom left corner.
 void drawNodeLegend(Image& image);
 
-/// Depth of the nearest surface in a pixel of the OpenGL picture, which is `scale` times as fine as the
-/// camera's.
+/// The depth buffer of an OpenGL picture that has `scale` times as many pixels in each direction as the
+/// camera's picture; `read` returns a part of it, rows from bottom to top, 0 (near) to 1 (far).
 struct DepthPicture {
-  std::span<const float> stored;  ///< rows from bottom to top, 0 (near) to 1 (far)
+  std::function<std::vector<float>(const PixelRectangle& part)> read;
   int scale = 1;
 };
 
-/// Tool nodes as dots in the colours of their states, far ones first. A free node is drawn where it is in
-/// view; the others always: filled where in view, as a ring where something hides them. Nodes without a state
-/// are left out.
+/// Draws tool nodes as dots in the colours of their states, far ones first. Free nodes are drawn only where
+/// they are visible, others always: filled where visible, as a ring where something hides them. Nodes without
+/// a state are left out. Depths are read once, of a rectangle around the nodes.
 void drawNodes(Image& image, const Camera& camera, const Scene& scene, const State& state,
                const DepthPicture& depths);
 

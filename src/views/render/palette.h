@@ -7,7 +7,7 @@
 
 namespace fissure {
 
-/// A colour, 8 bits a channel, as it ends up in the picture (no colour management).
+/// A colour with 8 bits per channel, as written into the picture (no colour management).
 struct Colour {
   std::uint8_t r = 0, g = 0, b = 0;
   std::uint8_t a = 255;  ///< opacity
@@ -21,24 +21,26 @@ inline constexpr Colour background{255, 255, 255};
 inline constexpr Colour ink{38, 44, 52};  ///< text and scale bar
 
 inline constexpr Colour ground{238, 240, 241};
-inline constexpr Colour ground_shadow{138, 143, 150};  ///< right under a contact
+/// Directly below something that stands on the ground.
+inline constexpr Colour ground_shadow{138, 143, 150};
 inline constexpr Colour grid{203, 208, 212};
 
-/// Bodies in the scene's order, over again after the last: flesh, liver, fat.
+/// Colours of bodies in the scene's order, repeated after the last: flesh, liver, fat.
 inline constexpr std::array<Colour, 3> tissue = {{{240, 172, 154}, {196, 116, 104}, {240, 208, 142}}};
 inline constexpr Colour tissue_pressed{134, 24, 92};  ///< tissue under the largest pressure of a picture
-inline constexpr Colour tissue_inside{128, 44, 46};   ///< faces seen from behind: torn, inverted or cut open
+inline constexpr Colour tissue_inside{128, 44, 46};   ///< faces seen from behind: inverted or cut open
 inline constexpr Colour tissue_edge{104, 40, 36, 120};
 inline constexpr Colour tissue_outline{112, 46, 40};
 
 inline constexpr Colour steel{176, 186, 196};
 inline constexpr Colour steel_edge{44, 54, 66};
-inline constexpr Colour hidden_tint{66, 92, 128, 52};  ///< the tool behind or inside tissue
+inline constexpr Colour hidden_tint{66, 92, 128, 52};  ///< part of a tool behind or inside tissue
 inline constexpr Colour hidden_line{20, 52, 110};
-inline constexpr Colour cut{136, 0, 24};  ///< where the tool's surface crosses the tissue's
+inline constexpr Colour cut{136, 0, 24};  ///< intersection of a tool's surface with the tissue's
 inline constexpr Colour hidden_cut{136, 0, 24, 120};
 
-/// Node states by value, from the colour-blind-safe set of Okabe and Ito (2008).
+/// Colours of node states, indexed by their values, after the colour-blind-safe palette of Okabe and Ito
+/// (2008).
 inline constexpr std::array<Colour, 4> nodes = {
     {{120, 124, 130}, {0, 158, 115}, {230, 110, 0}, {204, 80, 160}}};
 inline constexpr std::array<const char*, 4> node_names = {"free", "feasible", "infeasible", "capped"};

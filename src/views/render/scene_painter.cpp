@@ -206,7 +206,9 @@ void ScenePainter::drawGround(const GlFunctions& gl, const std::vector<Placed>& 
     return;  // seen from below it would hide the scene
   }
   gl.polygonOffset(2, 2);
+  gl.disable(GL_BLEND);
   draw(gl, GL_TRIANGLES, ground_.fill);
+  gl.enable(GL_BLEND);
   gl.depthMask(GL_FALSE);
   gl.polygonOffset(1, 1);
   gl.blendEquation(GL_MIN);  // of overlapping shadows the darkest holds
@@ -223,12 +225,14 @@ void ScenePainter::drawGround(const GlFunctions& gl, const std::vector<Placed>& 
 }
 
 void ScenePainter::drawSurface(const GlFunctions& gl, const Placed& placed) const {
+  gl.disable(GL_BLEND);  // the same picture for what is opaque, and cheaper
   gl.enable(GL_CULL_FACE);
   gl.cullFace(GL_BACK);
   draw(gl, GL_TRIANGLES, placed.front);
   gl.cullFace(GL_FRONT);
   draw(gl, GL_TRIANGLES, placed.back);
   gl.disable(GL_CULL_FACE);
+  gl.enable(GL_BLEND);
   gl.depthMask(GL_FALSE);
   gl.lineWidth(static_cast<float>(line_px_));
   draw(gl, GL_LINES, placed.edges);

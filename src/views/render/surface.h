@@ -8,7 +8,7 @@
 
 namespace fissure {
 
-/// An edge of a triangle surface and the faces beside it; face_b is -1 where the surface ends.
+/// An edge of a triangle surface and its adjacent faces; face_b is -1 at a border of the surface.
 struct SurfaceEdge {
   int a = 0;
   int b = 0;
@@ -16,8 +16,8 @@ struct SurfaceEdge {
   int face_b = -1;
 };
 
-/// A triangle surface's unchanging part, worked out once: its faces and edges. Vertices are given anew for
-/// each picture, in the order that the faces index.
+/// The constant topology of a triangle surface: its faces and edges. Positions of the vertices are given for
+/// each picture.
 class Surface {
  public:
   Surface(std::vector<Face> faces, int vertex_count);
@@ -26,10 +26,10 @@ class Surface {
   const std::vector<SurfaceEdge>& edges() const { return edges_; }
   /// True when all three corners are drawable.
   bool faceDrawable(std::span<const Vec3> vertices_m, int face) const;
-  /// One unit outward normal a face; zero where the face is degenerate or not drawable.
+  /// [face] unit outward normal; zero where the face is degenerate or not drawable.
   std::vector<Vec3> faceNormals(std::span<const Vec3> vertices_m) const;
-  /// Three unit normals a face, for smooth shading: at each corner the area-weighted mean over the faces
-  /// around the vertex that turn less than `crease_deg` from this one, so that sharp edges stay sharp.
+  /// [face][corner] unit normals for smooth shading: the area-weighted mean over those faces around the
+  /// vertex whose normals deviate by less than `crease_deg` from this face's, so that sharp edges stay sharp.
   std::vector<std::array<Vec3, 3>> cornerNormals(std::span<const Vec3> vertices_m, double crease_deg) const;
 
  private:
@@ -37,11 +37,11 @@ class Surface {
 
   std::vector<Face> faces_;
   std::vector<SurfaceEdge> edges_;
-  std::vector<std::vector<int>> faces_around_;  ///< of each vertex
+  std::vector<std::vector<int>> faces_around_;  ///< [vertex] its faces
 };
 
-/// Where two triangle surfaces cross: a segment for each crossing pair of drawable triangles, metres.
-/// Triangles in one plane give none.
+/// The intersection of two triangle surfaces: one segment for each pair of intersecting, drawable triangles,
+/// in the frame of the vertices, metres. Coplanar triangles give none.
 std::vector<std::array<Vec3, 2>> cutSegments(const std::vector<Face>& faces_a,
                                              std::span<const Vec3> vertices_a_m,
                                              const std::vector<Face>& faces_b,

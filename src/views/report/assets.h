@@ -4,7 +4,8 @@
 
 namespace fissure::assets {
 
-/// The files of report/page and report/vendor, which CMake copies into the program (embed.cmake).
+/// The contents of the files in report/page and report/vendor, which CMake embeds in the program
+/// (embed.cmake).
 extern const std::string_view index_html;
 extern const std::string_view page_css;
 extern const std::string_view shared_js;
@@ -17,6 +18,8 @@ extern const std::string_view sweep_marks_js;
 extern const std::string_view sweep_parallel_js;
 extern const std::string_view sweep_curves_js;
 extern const std::string_view sweep_js;
+extern const std::string_view history_css;
+extern const std::string_view history_js;
 extern const std::string_view uplot_js;
 extern const std::string_view uplot_css;
 extern const std::string_view uplot_licence;

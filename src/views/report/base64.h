@@ -5,7 +5,7 @@
 
 namespace fissure {
 
-/// RFC 4648, with padding: 4 characters for every 3 bytes begun.
+/// Encodes bytes as base64 (RFC 4648) with padding.
 std::string base64(std::string_view bytes);
 
 }  // namespace fissure

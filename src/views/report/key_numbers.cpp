@@ -1,9 +1,7 @@
 #include "report/key_numbers.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -11,6 +9,7 @@
 #include "compare/expectations.h"
 #include "report/summary_values.h"
 #include "text/scalars.h"
+#include "text/units.h"
 
 namespace fissure {
 
@@ -21,23 +20,16 @@ struct Row {
   std::string label;
   std::string unit;
   double scale = 1;  ///< from the summary's unit
-  const char* format = "%.0f";
+  const char* format = "{:.0f}";
   bool should_be_zero = false;
 };
-
-std::string numberText(double value, const char* format) {
-  if (std::isnan(value)) return "nan";
-  std::array<char, 64> text = {};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
 
 PageJson cell(const Row& row, const PipelineResult& run) {
   const SummaryValue* value = findValue(run.summary, row.name);
   const auto number = value ? numberOf(*value) : std::nullopt;
   if (!number || (std::isnan(*number) && mayBeMissing("summary/" + row.name)))
     return {{"text", "–"}, {"bad", false}};
-  return {{"text", numberText(*number * row.scale, row.format)},
+  return {{"text", numberText(row.format, *number * row.scale)},
           {"bad", std::isnan(*number) || (row.should_be_zero && *number != 0)}};
 }
 
@@ -59,48 +51,48 @@ std::string between(const std::string& name, const std::string& start, const std
 std::vector<Row> rowsFor(const std::vector<PipelineResult>& runs) {
   const std::vector<std::string> names = namesOf(runs);
   std::vector<Row> rows = {
-      {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "%.3f"},
-      {"max_inversion_aware_depth_m", "The same with inverted tissue", "mm", 1e3, "%.3f"},
-      {"final_penetration_depth_m", "Penetration at the end", "mm", 1e3, "%.3f"},
-      {"passed_through_samples", "Tool samples passed through", "", 1, "%.0f", true},
-      {"max_inverted_triangles", "Triangles inverted at most", "", 1, "%.0f", true},
-      {"uncertified_steps", "Steps not proved free of overlap", "", 1, "%.0f", true},
-      {"max_ground_depth_m", "Tissue below the ground", "mm", 1e3, "%.3f"},
-      {"unsound_steps", "Steps with unsound tissue", "", 1, "%.0f", true},
+      {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "{:.3f}"},
+      {"max_inversion_aware_depth_m", "The same with inverted tissue", "mm", 1e3, "{:.3f}"},
+      {"final_penetration_depth_m", "Penetration at the end", "mm", 1e3, "{:.3f}"},
+      {"passed_through_samples", "Tool samples passed through", "", 1, "{:.0f}", true},
+      {"max_inverted_triangles", "Triangles inverted at most", "", 1, "{:.0f}", true},
+      {"uncertified_steps", "Steps not proved free of overlap", "", 1, "{:.0f}", true},
+      {"max_ground_depth_m", "Tissue below the ground", "mm", 1e3, "{:.3f}"},
+      {"unsound_steps", "Steps with unsound tissue", "", 1, "{:.0f}", true},
   };
   for (const std::string& name : names)
     if (const std::string law = between(name, "max_force_", "_N"); !law.empty())
-      rows.push_back({name, "Largest force, " + law, "N", 1, "%.4g"});
+      rows.push_back({name, "Largest force, " + law, "N", 1, "{:.4g}"});
   for (const std::string& name : names)
     if (const std::string law = between(name, "force_roughness_", ""); !law.empty())
-      rows.push_back({name, "Force roughness, " + law, "", 1, "%.3g"});
+      rows.push_back({name, "Force roughness, " + law, "", 1, "{:.3g}"});
   for (const std::string& name : names)
     if (const std::string clamp = between(name, "", "_final_reaction_N"); !clamp.empty())
-      rows.push_back({name, "Reaction at the end, " + clamp, "N", 1, "%.4g"});
-  rows.push_back({"max_reaction_N", "Largest reaction (see below)", "N", 1, "%.4g"});
-  rows.push_back({"first_contact_time_s", "First contact", "s", 1, "%.3f"});
+      rows.push_back({name, "Reaction at the end, " + clamp, "N", 1, "{:.4g}"});
+  rows.push_back({"max_reaction_N", "Largest reaction (see below)", "N", 1, "{:.4g}"});
+  rows.push_back({"first_contact_time_s", "First contact", "s", 1, "{:.3f}"});
   rows.push_back({"contact_steps", "Steps with contact", ""});
   rows.push_back({"contacts_total", "Contacts, all steps", ""});
   rows.push_back({"steps", "Steps", ""});
-  rows.push_back({"timing/p50_step_us", "Step time, median", "µs", 1, "%.0f"});
-  rows.push_back({"timing/p99_step_us", "Step time, 99 % below", "µs", 1, "%.0f"});
-  rows.push_back({"timing/max_step_us", "Step time, longest", "µs", 1, "%.0f"});
-  rows.push_back({"timing/real_time_factor", "Real-time factor", "", 1, "%.3g"});
+  rows.push_back({"timing/p50_step_us", "Step time, median", "µs", 1, "{:.0f}"});
+  rows.push_back({"timing/p99_step_us", "Step time, 99 % below", "µs", 1, "{:.0f}"});
+  rows.push_back({"timing/max_step_us", "Step time, longest", "µs", 1, "{:.0f}"});
+  rows.push_back({"timing/real_time_factor", "Real-time factor", "", 1, "{:.3g}"});
   return rows;
 }
 
 /// What a table of many results shows of each run.
 const std::vector<Row>& folderRows() {
   static const std::vector<Row> rows = {
-      {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "%.3f"},
-      {"max_inversion_aware_depth_m", "With inversion", "mm", 1e3, "%.3f"},
-      {"passed_through_samples", "Passed through", "", 1, "%.0f", true},
-      {"max_inverted_triangles", "Inverted triangles", "", 1, "%.0f", true},
-      {"uncertified_steps", "Not proved", "", 1, "%.0f", true},
-      {"max_ground_depth_m", "Below ground", "mm", 1e3, "%.3f"},
-      {"max_force_N", "Largest force", "N", 1, "%.4g"},
+      {"max_penetration_depth_m", "Worst penetration", "mm", 1e3, "{:.3f}"},
+      {"max_inversion_aware_depth_m", "With inversion", "mm", 1e3, "{:.3f}"},
+      {"passed_through_samples", "Passed through", "", 1, "{:.0f}", true},
+      {"max_inverted_triangles", "Inverted triangles", "", 1, "{:.0f}", true},
+      {"uncertified_steps", "Not proved", "", 1, "{:.0f}", true},
+      {"max_ground_depth_m", "Below ground", "mm", 1e3, "{:.3f}"},
+      {"max_force_N", "Largest force", "N", 1, "{:.4g}"},
       {"steps", "Steps", ""},
-      {"timing/p99_step_us", "Step time, 99 % below", "µs", 1, "%.0f"},
+      {"timing/p99_step_us", "Step time, 99 % below", "µs", 1, "{:.0f}"},
   };
   return rows;
 }

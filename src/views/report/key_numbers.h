@@ -7,19 +7,19 @@
 
 namespace fissure {
 
-/// The table of runs side by side: [{label, unit, cells: [{text, bad}]}], a cell a run, "-" where a run does
-/// not have the number. `bad` marks what should be 0 and is not.
+/// The table that compares runs: [{label, unit, cells: [{text, bad}]}], one cell per run, "-" where a run
+/// does not have the number. `bad` marks numbers that should be 0 and are not.
 PageJson keyNumbersJson(const std::vector<PipelineResult>& runs);
 
-/// The few that a table of many results shows: its columns [{label, unit}], and the cells [[{text, bad}]] of
-/// each run.
+/// The short table of a folder of results: its columns [{label, unit}], and for each run its cells [[{text,
+/// bad}]].
 PageJson folderColumnsJson();
 PageJson folderNumbersJson(const std::vector<PipelineResult>& runs);
 
-/// Every summary value as text, in the same form, by its own name.
+/// All summary values as texts, in the form of keyNumbersJson(), with their own names as labels.
 PageJson allNumbersJson(const std::vector<PipelineResult>& runs);
 
-/// What a scenario expects of the runs: [{run, quantity, found, expected, holds}].
+/// The checked expectations of a scenario: [{run, quantity, found, expected, holds}].
 PageJson expectationsJson(const std::vector<Expectation>& expectations,
                           const std::vector<PipelineResult>& runs);
 

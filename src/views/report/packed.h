@@ -8,18 +8,19 @@
 
 namespace fissure {
 
-/// Numbers as the page's script reads them, four bytes each: {f32: base64, little endian}, missing ones NaN;
-/// {same: number or null} where all are equal.
+/// Numbers packed for the page's script, four bytes each: {f32: base64, little endian}, with NaN for missing
+/// ones; {same: number or null} where all are equal.
 PageJson packedNumbers(const std::vector<double>& numbers);
 
-/// Numbers from 0 to 65535, two bytes each: {u16: base64}.
+/// Integers from 0 to 65535, two bytes each: {u16: base64}.
 PageJson packedCodes(const std::vector<std::size_t>& codes);
 
-/// The texts of some runs by their places among the different ones of all, which keep the order of their
-/// first appearance: {values: [text], codes: {u16}}. Texts that none of `runs` has are left out.
+/// The texts of `runs` as indices into the list of distinct texts: {values: [text], codes: {u16}}. `values`
+/// are in the order of their first appearance in `all`, without texts that none of `runs` has.
 PageJson packedTexts(const std::vector<std::string>& all, const std::vector<std::size_t>& runs);
 
-/// The same of numbers, ascending: {values: [number], codes: {u16}}; null where more than `most` differ.
+/// The same for numbers, with ascending values: {values: [number], codes: {u16}}; null where there are more
+/// than `most` distinct numbers.
 PageJson packedLevels(const std::vector<double>& numbers, std::size_t most);
 
 }  // namespace fissure

@@ -48,6 +48,22 @@ std::string joined(const std::vector<std::string_view>& pieces) {
   return text;
 }
 
+struct Parts {
+  std::vector<std::string_view> styles, scripts;
+};
+
+/// What a page of a kind is made of, in this order.
+Parts partsOf(const std::string& kind) {
+  if (kind == "sweep")
+    return {{assets::page_css, assets::sweep_css},
+            {assets::shared_js, assets::sweep_data_js, assets::sweep_marks_js, assets::sweep_maps_js,
+             assets::sweep_parallel_js, assets::sweep_curves_js, assets::sweep_js}};
+  if (kind == "history")
+    return {{assets::page_css, assets::history_css},
+            {assets::shared_js, assets::plots_js, assets::history_js}};
+  return {{assets::page_css, ""}, {assets::shared_js, assets::plots_js, assets::page_js}};
+}
+
 }  // namespace
 
 std::string escapedHtml(const std::string& text) {
@@ -80,12 +96,8 @@ std::string pageText(const PageJson& data) {
       PageJson::parse(PageJson(data.at("title")).dump(-1, ' ', false, PageJson::error_handler_t::replace));
   const std::string shown_title = escapedHtml(title);
   const std::string nonce = fnv1a64(json);  // known to no text that was written before the page was
-  const bool sweep = data.value("kind", "") == "sweep";
-  const std::string style = joined({assets::page_css, sweep ? assets::sweep_css : ""});
-  const std::string scripts =
-      sweep ? joined({assets::shared_js, assets::sweep_data_js, assets::sweep_marks_js, assets::sweep_maps_js,
-                      assets::sweep_parallel_js, assets::sweep_curves_js, assets::sweep_js})
-            : joined({assets::shared_js, assets::plots_js, assets::page_js});
+  const Parts parts = partsOf(data.value("kind", ""));
+  const std::string style = joined(parts.styles), scripts = joined(parts.scripts);
   return filledIn(assets::index_html, {{"title", shown_title},
                                        {"nonce", nonce},
                                        {"page_css", style},

@@ -9,22 +9,22 @@
 
 namespace fissure {
 
-/// What the report page of one result shows; `program`: what makes the page, "fissure 0.1.0 (commit)". The
-/// page stays below 2 MB for up to four runs of 5,000 steps; only longer lists of laws, tools and gauges, and
-/// `video` (a data URI, may be empty), take it beyond. Throws InputError when the result cannot be read;
-/// whether HDF5 crashes on it is not known here.
+/// The data of the report page of one result. `program`: name of this program, as "fissure 0.1.0 (commit)";
+/// `video`: a data URI, may be empty. The page stays below 2 MB for up to four runs of 5,000 steps, without
+/// `video` and very long lists of laws, tools and gauges. Throws InputError when the result cannot be read.
+/// HDF5 may crash on a damaged file: call it in a child process.
 PageJson resultPage(const std::filesystem::path& file, const std::string& program, const std::string& video);
 
-/// One file in the table of a folder's results.
+/// One row in the table of a folder's results.
 struct FolderEntry {
-  std::string name;     ///< of the result, from the folder on
-  std::string page;     ///< link to its page, from the table's page on; empty where there is none
+  std::string name;     ///< path of the result below the folder
+  std::string page;     ///< link to its page, relative to the page of the table; empty where there is none
   std::string problem;  ///< why it has no page
-  std::string note;     ///< what it is, where it is no result; of `info` only the title counts then
-  ResultInfo info;      ///< where it has one
+  std::string note;     ///< the kind of file, where it is no result; only the title of `info` is then used
+  ResultInfo info;      ///< meaningful only without a problem
 };
 
-/// What the page with that table shows.
+/// The data of the page with that table.
 PageJson folderPage(const std::string& folder, const std::string& program,
                     const std::vector<FolderEntry>& entries);
 

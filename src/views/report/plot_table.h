@@ -4,25 +4,28 @@
 
 namespace fissure {
 
-/// How values of a quantity are shown.
+/// The scale on which values of a quantity are shown.
 enum class PlotScale {
   length,           ///< from metres to mm
-  prefixed,         ///< in the stored unit with the prefix that fits
+  prefixed,         ///< in the stored unit with an SI prefix
   plain,            ///< as stored: counts, degrees
-  relative_percent  ///< change since the first row, in percent of it
+  relative_percent  ///< change since the first row, in per cent of it
 };
 
-/// A quantity that the page plots over time. Of a vector its length is shown, unless `select` is "xyz".
+/// A quantity that the page plots over time. For a vector its length is shown, unless `select` is "xyz".
 struct PlotQuantity {
   const char* dataset = "";
   const char* section = "";
-  const char* title = "";  ///< {}: the label along `each`
+  /// Title of the plot, in which {} stands for the label along `each`.
+  const char* title = "";
   PlotScale scale = PlotScale::plain;
   const char* note = "";
-  const char* each = "";      ///< the axis with one plot for each of its labels
-  const char* select = "";    ///< the axis with a selector
+  /// Axis with one plot per label.
+  const char* each = "";
+  /// Axis whose label is chosen by a selector.
+  const char* select = "";
   bool several_only = false;  ///< only where `each` has several labels
-  bool may_be_log = false;    ///< on a logarithmic axis where the runs are far apart
+  bool may_be_log = false;    ///< a logarithmic axis is used where the runs are far apart
 };
 
 inline constexpr std::array<PlotQuantity, 36> plot_quantities = {{

@@ -1,8 +1,8 @@
 #include "report/report_run.h"
 
-#include <array>
+#include <fmt/core.h>
+
 #include <cmath>
-#include <cstdio>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
@@ -20,9 +20,7 @@ std::vector<ReportRun> openRuns(const std::filesystem::path& file, const ResultI
 
 PageJson shortNumber(double value) {
   if (!std::isfinite(value)) return nullptr;
-  std::array<char, 32> text = {};
-  std::snprintf(text.data(), text.size(), "%.6g", value);
-  const double number = std::strtod(text.data(), nullptr);
+  const double number = std::strtod(fmt::format("{:.6g}", value).c_str(), nullptr);
   if (number == std::trunc(number) && std::abs(number) < 1e15) return static_cast<long long>(number);
   return number;
 }

@@ -10,20 +10,21 @@
 
 namespace fissure {
 
-/// What the page's script reads: keys keep their order, so that equal results give equal pages.
+/// JSON for the page's script. Keys keep their order, so that equal results give equal pages.
 using PageJson = nlohmann::ordered_json;
 
-/// One run of a result, opened. `result` belongs to the ResultInfo that it was opened from.
+/// An opened run of a result. `result` points into the ResultInfo from which it was opened.
 struct ReportRun {
   const PipelineResult* result = nullptr;
   RunReader reader;
-  std::vector<double> times_s;  ///< one a row; empty where the run left no series
+  std::vector<double> times_s;  ///< [row] empty where the run left no series
 };
 
-/// Throws InputError when a run cannot be read.
+/// Opens all runs of a result. Throws InputError when a run cannot be read.
 std::vector<ReportRun> openRuns(const std::filesystem::path& file, const ResultInfo& info);
 
-/// Six digits, which is more than a plot shows and half the bytes; null for what is not finite.
+/// The number rounded to six digits, which is more than a plot shows and saves half of the bytes; null where
+/// it is not finite.
 PageJson shortNumber(double value);
 
 }  // namespace fissure

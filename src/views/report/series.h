@@ -5,20 +5,21 @@
 
 namespace fissure {
 
-/// Points of a series that a plot needs, ascending rows. What is not finite is missing (NaN).
+/// The points of a series that a plot needs, in ascending rows. Values that are not finite become NaN
+/// (missing).
 struct ThinnedSeries {
   std::vector<std::size_t> rows;
   std::vector<double> values;
 };
 
-/// Thins out a series for a plot that shows `buckets` spans of equally many rows side by side: each span
-/// keeps its smallest and its largest value, both at their own rows, and a missing value where it has any, so
-/// that a spike or a gap of one row stays visible. The first and the last row are kept, and so is everything
-/// where there are at most 2 rows a span. Of three and more equal values in succession the inner ones are
-/// dropped, which changes no line. `buckets` > 0.
+/// Thins out a series for a plot. The rows are divided into `buckets` spans of equal length; each keeps its
+/// smallest and its largest value, at their own rows, and one missing value if it has any, so that a spike or
+/// a gap of a single row stays visible. The first and the last row are always kept, and all rows where there
+/// are at most 2 per span. Of three or more equal values in succession the inner ones are dropped, which does
+/// not change the line. `buckets` > 0.
 ThinnedSeries thinSeries(const std::vector<double>& values, std::size_t buckets);
 
-/// The rows that the spans keep, before equal ones are dropped.
+/// The rows that the spans keep, before equal values are dropped.
 std::vector<std::size_t> extremeRows(const std::vector<double>& values, std::size_t buckets);
 
 }  // namespace fissure

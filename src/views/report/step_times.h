@@ -7,16 +7,16 @@
 
 namespace fissure {
 
-/// What a haptic loop leaves a step, microseconds: 1 kHz.
+/// The time for a step in a haptic loop of 1 kHz, microseconds.
 inline constexpr double haptic_budget_us = 1000;
 
-/// How the wall times of the steps are distributed: {budget_us, runs: [{run, steps, p50_us, p99_us, max_us,
-/// over_budget, curve_us, curve_percent}]}, runs without times left out. The curve is the share of the steps
-/// that took at most so long, with the slowest steps all in it. Throws InputError when they cannot be read.
+/// The distribution of the wall times of steps: {budget_us, runs: [{run, steps, p50_us, p99_us, max_us,
+/// over_budget, curve_us, curve_percent}]}, without runs that have no times. The curve is the cumulative
+/// distribution, with all of the slowest steps. Throws InputError when the times cannot be read.
 PageJson stepTimesJson(const std::filesystem::path& file, const ResultInfo& info,
                        const std::vector<ReportRun>& runs);
 
-/// The same for the times of one run; those that are not finite count as not measured.
+/// The same for the times of one run; times that are not finite are ignored.
 PageJson distributionJson(std::vector<double> times_us);
 
 }  // namespace fissure

@@ -10,7 +10,7 @@ namespace fissure {
 /// A summary value as a number; no value where it is a text.
 std::optional<double> numberOf(const SummaryValue& value);
 
-/// Of that name; null when there is none.
+/// The value of that name; null when there is none.
 const SummaryValue* findValue(const Summary& summary, const std::string& name);
 
 }  // namespace fissure

@@ -7,9 +7,10 @@
 
 namespace fissure {
 
-/// What the report page of a sweep's table shows. Above 10,000 runs, or fewer where there are more than 64
-/// quantities, the page has a sample of them that depends on nothing but their number, and says so; counts of
-/// how runs ended are of all. 10,000 runs stay below 5 MB. Throws InputError when the table cannot be read.
+/// The data of the report page of a sweep's table; `program` as for resultPage(). With more than 10,000 runs,
+/// or fewer where there are more than 64 quantities, the page has a sample of the runs, which depends only on
+/// their number, and says so; numbers of failures are those of all runs. A page of 10,000 runs stays below 5
+/// MB. Throws InputError when the table cannot be read.
 PageJson sweepPage(const std::filesystem::path& file, const std::string& program);
 
 }  // namespace fissure

@@ -1,5 +1,7 @@
 #include "report/video.h"
 
+#include <fmt/core.h>
+
 #include <string_view>
 
 #include "base/error.h"
@@ -25,9 +27,9 @@ std::string videoUri(const std::filesystem::path& file) {
   std::error_code error;
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (size > most_video_bytes)
-    throw InputError(inFile(name), std::to_string(size / 1000000) + " MB, expected a video of at most " +
-                                       std::to_string(most_video_bytes / 1000000) +
-                                       " MB: it becomes part of the page");
+    throw InputError(inFile(name),
+                     fmt::format("{} MB, expected a video of at most {} MB: it becomes part of the page",
+                                 size / 1000000, most_video_bytes / 1000000));
   const std::string bytes = readInputFile(file, "a video");
   const std::string type = typeOf(bytes);
   if (type.empty()) throw InputError(inFile(name), "no video that browsers play, expected MP4 or WebM");

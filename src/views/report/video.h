@@ -6,7 +6,7 @@
 
 namespace fissure {
 
-/// A page with a larger one is slow to open everywhere.
+/// The largest video in a page, bytes; pages with larger ones are slow to open.
 inline constexpr std::size_t most_video_bytes = 16000000;
 
 /// An MP4 or WebM file as a data URI, so that the page stays one file. Throws InputError when it is missing,

@@ -1,9 +1,9 @@
 #include "report/warnings.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -73,11 +73,11 @@ void addGround(const Summary& summary, std::vector<Warning>& warnings) {
   const SummaryValue* value = findValue(summary, "max_ground_depth_m");
   const double depth_m = value ? numberOf(*value).value_or(0) : 0;
   if (!(depth_m > kHeldDepth_m)) return;
-  std::array<char, 128> text = {};
-  std::snprintf(text.data(), text.size(),
-                "tissue stands up to %.2f mm below the ground: part of what the tool pushes away goes there",
-                1e3 * depth_m);
-  warnings.push_back({false, text.data()});
+  warnings.push_back(
+      {false,
+       fmt::format(
+           "tissue stands up to {:.2f} mm below the ground: part of what the tool pushes away goes there",
+           1e3 * depth_m)});
 }
 
 void addForces(const Summary& summary, std::vector<Warning>& warnings) {
@@ -85,13 +85,14 @@ void addForces(const Summary& summary, std::vector<Warning>& warnings) {
   for (const SummaryValue& value : summary) {
     const auto number = numberOf(value);
     if (!number) continue;
-    const std::string count = std::to_string(static_cast<long long>(*number));
+    const auto count = static_cast<long long>(*number);
     if (value.name.starts_with(overflow))
-      warnings.push_back({true, "the force of law " + value.name.substr(overflow.size()) +
-                                    " is not finite, first at step " + count});
+      warnings.push_back({true, fmt::format("the force of law {} is not finite, first at step {}",
+                                            value.name.substr(overflow.size()), count)});
     if (value.name.starts_with(saturated) && *number > 0)
-      warnings.push_back({false, "saturated: by law " + value.name.substr(saturated.size()) + " " + count +
-                                     " steps are beyond the force limit of the tool's device"});
+      warnings.push_back(
+          {false, fmt::format("saturated: by law {} {} steps are beyond the force limit of the tool's device",
+                              value.name.substr(saturated.size()), count)});
   }
 }
 
@@ -118,18 +119,21 @@ void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
   const auto positive = [](double value) { return value > 0; };
   if (const auto steps =
           rowsWhere(run, "penetration_depth", 0, 1, [](double v) { return !std::isfinite(v); }))
-    warnings.push_back({true, "the penetration depth of " + std::to_string(steps) + " steps is no number"});
+    warnings.push_back({true, fmt::format("the penetration depth of {} steps is no number", steps)});
   if (const auto steps = rowsWhere(run, "capped_count", 0, 1, positive))
-    warnings.push_back({false, "capped: in " + std::to_string(steps) +
-                                   " steps a contact's displacement hit the limit of one step"});
+    warnings.push_back(
+        {false,
+         fmt::format("capped: in {} steps a contact's displacement hit the limit of one step", steps)});
   const StoredQuantity* clamped = run.reader.find("adhesion_clamped");
   if (!clamped || clamped->axes.size() != 1) return;
   const StoredAxis& laws = clamped->axes.front();
   for (std::size_t law = 0; law < laws.length; ++law)
     if (const auto steps = rowsWhere(run, "adhesion_clamped", law, laws.length, positive))
-      warnings.push_back({false, "clamped: in " + std::to_string(steps) + " steps law " +
-                                     (law < laws.labels.size() ? laws.labels[law] : std::to_string(law)) +
-                                     " would have pulled on some triangles, and was set to 0 there"});
+      warnings.push_back(
+          {false,
+           fmt::format(
+               "clamped: in {} steps law {} would have pulled on some triangles, and was set to 0 there",
+               steps, law < laws.labels.size() ? laws.labels[law] : std::to_string(law))});
 }
 
 std::vector<Warning> warningsOf(const ReportRun& run) {

@@ -6,8 +6,8 @@
 
 namespace fissure {
 
-/// The picture as a WebP file (lossy, `quality` 0 to 100), at most `width_px` wide; a wider one is made
-/// smaller, its shape kept. The same bytes for the same picture. Throws RunError when libwebp cannot.
+/// Encodes a picture as a WebP file (lossy, `quality` 0 to 100), reduced to at most `width_px` columns with
+/// its aspect ratio kept. The same picture gives the same bytes. Throws RunError when libwebp fails.
 std::string encodeWebp(const Image& image, int width_px, double quality);
 
 }  // namespace fissure

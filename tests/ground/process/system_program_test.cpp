@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <csignal>
 
 #include "base/error.h"
+#include "process/interrupt.h"
 
 namespace fissure::system_program_test {
 
@@ -40,8 +42,27 @@ TEST(SystemProgram, ThatDoesNotAnswerIsEnded) {
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
+TEST(SystemProgram, IsEndedWhenItsStarterIsAskedToStop) {
+  const auto start = std::chrono::steady_clock::now();
+  const RequestsHeldBack held_back;
+  const Descriptor requests = heldBackRequests();
+  const auto wait = [&] {
+    runProgram("/bin/sh", {"-c", "kill -TERM $PPID; exec sleep 60"}, 60, requests.number());
+  };
+  EXPECT_THROW(wait(), Interrupted);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
+  Interrupt owner;
+  EXPECT_TRUE(owner.requested()) << "the request is left to whoever deals with it";
+}
+
 TEST(SystemProgram, ThatASignalEndsIsAnError) {
-  EXPECT_THROW(shell("kill -9 $$"), RunError);
+  try {
+    shell("kill -9 $$");
+    ADD_FAILURE();
+  } catch (const KilledProgram& killed) {
+    EXPECT_EQ(killed.signal(), SIGKILL);
+    EXPECT_STREQ(killed.what(), "sh: killed by signal 9");
+  }
   EXPECT_THROW(runProgram("/nowhere/program", {}, 1), RunError);
 }
 

@@ -82,7 +82,7 @@ class CompareRuns : public testing::Test {
   }
   using Names = std::vector<std::string>;
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   std::vector<ResultInfo> infos_;
 };
 

@@ -123,6 +123,19 @@ TEST(Following, EveryStepIsAsMeasuredAnew) {
   EXPECT_GT(apart, 20);
 }
 
+// A plate 10 mm beside a small ball swings to its other side in one step, the straight way through it. Seen
+// from the tool the ball has hardly moved.
+TEST(Following, ATurnOfMoreThanARightAngleIsAStraightWayToo) {
+  Scene scene = test::makeScene({makeSphere(0.002, 2)}, {Vec3(0.004, 0.004, 0.004)});
+  scene.tools[0].box_size_m.reset();
+  for (Vec3& vertex : scene.tools[0].surface.vertices_m) vertex.x() += 0.01;
+  State state = test::restState(scene, {Pose()});
+  PenetrationMeter meter(scene, {0.0005});
+  EXPECT_EQ(meter.measure(state).passed_through, 0);
+  state.tools[0].pose.orientation = Quat(Eigen::AngleAxisd(3.1, Vec3::UnitY()));
+  EXPECT_GT(meter.measure(state).passed_through, 10);
+}
+
 // A blade that creeps towards a sphere and stops half a millimetre above it.
 TEST(Following, WhatIsFarIsSearchedForRarelyAndWhatRestsNever) {
   const Scene scene = test::makeScene({makeSphere(0.03, 2)}, {kBlade});

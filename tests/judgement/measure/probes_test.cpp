@@ -1,82 +1,13 @@
 #include "measure/probes.h"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
-#include <limits>
 
 #include "measure/final_state_probe.h"
-#include "mesh/primitives.h"
-#include "surface/oracles.h"
+#include "measure/probes_fixture.h"
 
 namespace fissure::probes_test {
 
 namespace {
-
-constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
-
-/// A run of makeProbes' probes over states that a test makes up.
-class ProbesTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}});
-    state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
-    scenario_.time.step_s = 0.001;
-  }
-  void addNodes(int count) {
-    scene_.tools[0].nodes.positions_m.assign(static_cast<std::size_t>(count), Vec3::Zero());
-    state_.contact.node_states.assign(static_cast<std::size_t>(count), NodeState::free);
-  }
-  void addLaws(const std::vector<std::string>& names) {
-    for (const std::string& name : names)
-      scenario_.force.push_back({.name = name, .model = ForceModel::linear_elastic});
-    state_.forces.resize(names.size());
-    state_.tool_forces_N.resize(names.size() * scene_.tools.size(), Vec3::Zero());
-  }
-  void limitForce(double limit_N) {
-    ToolSettings tool;
-    tool.name = scene_.tools[0].name;
-    tool.force_limit_N = limit_N;
-    scenario_.tools.push_back(tool);
-  }
-  void start() {
-    probes_ = makeProbes(scenario_, scene_);
-    for (const auto& probe : probes_) probe->declare(layout_);
-    row_.assign(layout_.columns(), 12345.0);
-  }
-  void step() {
-    for (const auto& probe : probes_) probe->sample(state_, row_);
-    ++state_.step;
-    state_.time_s = static_cast<double>(state_.step) * scenario_.time.step_s;
-  }
-  double value(const std::string& series, std::size_t index = 0) const {
-    return row_[layout_.find(series)->first_column + index];
-  }
-  std::vector<std::string> seriesNames() const {
-    std::vector<std::string> names;
-    for (const Series& series : layout_.series()) names.push_back(series.name);
-    return names;
-  }
-  SummaryValue scalar(const std::string& name) const {
-    Summary summary;
-    for (const auto& probe : probes_) probe->summarize(summary);
-    for (const SummaryValue& value : summary) {
-      if (value.name == name) return value;
-    }
-    return {"absent", std::string("absent")};
-  }
-  double real(const std::string& name) const { return std::get<double>(scalar(name).value); }
-  long long count(const std::string& name) const { return std::get<long long>(scalar(name).value); }
-
-  Scenario scenario_;
-  Scene scene_;
-  State state_;
-  RecordLayout layout_;
-  RecordRow row_;
-  std::vector<std::unique_ptr<Probe>> probes_;
-};
-
-using Names = std::vector<std::string>;
 
 TEST_F(ProbesTest, DeclareOnlyWhatTheSceneNeeds) {
   start();
@@ -169,17 +100,6 @@ TEST_F(ProbesTest, MeasureNoToolWithoutTools) {
   EXPECT_EQ(seriesNames(), (Names{"kinetic_energy", "momentum", "volume", "timing/step_time_us",
                                   "timing/collision_time_us"}));
   step();
-}
-
-TEST_F(ProbesTest, ForcesWithoutToolsGoToNone) {
-  scene_.tools.clear();
-  state_.tools.clear();
-  addLaws({"hc"});
-  start();
-  EXPECT_EQ(layout_.find("tool_force"), nullptr);
-  EXPECT_NE(layout_.find("force"), nullptr);
-  step();
-  EXPECT_EQ(value("force"), 0);
 }
 
 TEST_F(ProbesTest, FillEveryColumn) {
@@ -403,93 +323,6 @@ TEST_F(ProbesTest, NodeSwitchRateCountsActingAgainstNot) {
     step();
   }
   EXPECT_DOUBLE_EQ(real("node_switch_rate_hz"), 375.0);
-}
-
-// Force magnitudes 1, 2, 1, 2, 1, 2: second differences are all 2, the mean square is 2.5.
-TEST_F(ProbesTest, ForceOfEachLaw) {
-  addLaws({"hc", "linear"});
-  start();
-  for (int i = 0; i < 6; ++i) {
-    state_.forces[0] = {Vec3(0, i % 2 == 0 ? 1.0 : -2.0, 0), 7.0, -0.5, 3};
-    state_.forces[1] = {Vec3(0, 0, 4.0), 1.0, 0.0, 0};
-    step();
-  }
-  EXPECT_EQ(value("force", 1), -2);
-  EXPECT_EQ(value("force", 5), 4);
-  EXPECT_EQ(value("force_elastic", 0), 7);
-  EXPECT_EQ(value("force_viscous", 0), -0.5);
-  EXPECT_EQ(value("adhesion_clamped", 0), 3);
-  EXPECT_EQ(real("max_force_N"), 2);
-  EXPECT_EQ(real("max_force_hc_N"), 2);
-  EXPECT_EQ(real("max_force_linear_N"), 4);
-  EXPECT_DOUBLE_EQ(real("force_roughness"), 2 / std::sqrt(2.5));
-  EXPECT_DOUBLE_EQ(real("force_roughness_hc"), 2 / std::sqrt(2.5));
-  EXPECT_EQ(real("force_roughness_linear"), 0);  // constant
-  EXPECT_EQ(real("roughness_same_triangles_hc"), 0) << "no triangle is there";
-}
-
-// Components whose magnitude is beyond what a double holds, and terms that are no number.
-TEST_F(ProbesTest, TheFirstStepWithAForceThatIsNotFiniteIsNamedByLaw) {
-  addLaws({"hc", "linear", "kv"});
-  start();
-  for (int i = 0; i < 5; ++i) {
-    state_.forces[0].force_on_tool_N.y() = i < 3 ? 1e100 : 1e200;
-    state_.forces[1].viscous_N = i == 1 ? kNaN : 0;
-    step();
-  }
-  EXPECT_EQ(count("force_non_finite_at_step_hc"), 3);
-  EXPECT_EQ(count("force_non_finite_at_step_linear"), 1) << "the first, though later ones are finite";
-  EXPECT_EQ(scalar("force_non_finite_at_step_kv").name, "absent");
-  EXPECT_EQ(real("max_force_hc_N"), std::numeric_limits<double>::infinity());
-}
-
-TEST_F(ProbesTest, DeformationStatisticsOfEachLaw) {
-  addLaws({"hc", "linear"});
-  start();
-  state_.colliding_triangles.resize(17);
-  state_.triangle_forces_N.resize(34);
-  state_.forces[1] = {.deformation_max_m = 0.5,
-                      .deformation_mean_m = 0.25,
-                      .rate_max_m_s = 3,
-                      .rate_min_m_s = -4,
-                      .rate_mean_m_s = -1};
-  step();
-  EXPECT_EQ(value("colliding_triangles"), 17);
-  EXPECT_EQ(value("deformation_max", 0), 0);
-  EXPECT_EQ(value("deformation_max", 1), 0.5);
-  EXPECT_EQ(value("deformation_mean", 1), 0.25);
-  EXPECT_EQ(value("deformation_rate_max", 1), 3);
-  EXPECT_EQ(value("deformation_rate_min", 1), -4);
-  EXPECT_EQ(value("deformation_rate_mean", 1), -1);
-}
-
-// Two tools, the second with a limit of 8 N: 8 N is within it, a little more is not, and neither is NaN. The
-// first has no limit.
-TEST_F(ProbesTest, SaturationIsAFlagAgainstTheDevicesLimitAndLeavesTheForce) {
-  scene_ = test::makeScene({makeBox({0.1, 0.1, 0.1})}, {{0.04, 0.002, 0.015}, {0.04, 0.002, 0.015}});
-  scene_.tools[0].name = "free";
-  state_ = test::restState(scene_, {test::at(0, 0.2, 0), test::at(0, 0.2, 0)});
-  limitForce(8);
-  scenario_.tools[0].name = scene_.tools[1].name = "held";
-  addLaws({"hc", "linear"});
-  start();
-  EXPECT_EQ(layout_.find("saturated")->type, ValueType::flag);
-  EXPECT_EQ(layout_.find("saturated")->axes, (Names{"law", "tool"}));
-  const double forces_N[] = {8, 8.0000001, 100, 0, kNaN};
-  const double expected[] = {0, 1, 1, 0, 1};
-  for (int i = 0; i < 5; ++i) {
-    state_.tool_forces_N = {Vec3(0, 1000, 0), Vec3(0, 0, -forces_N[i]), Vec3::Zero(), Vec3(0, 7, 0)};
-    step();
-    EXPECT_EQ(value("saturated", 0), 0) << "no device";
-    EXPECT_EQ(value("saturated", 1), expected[i]) << forces_N[i];
-    EXPECT_EQ(value("saturated", 3), 0) << "the second law stays within";
-    EXPECT_EQ(value("tool_force", 1), 1000);
-    EXPECT_TRUE(value("tool_force", 5) == -forces_N[i] || i == 4) << "unclamped";
-    EXPECT_EQ(value("tool_force", 10), 7);
-  }
-  EXPECT_EQ(count("saturated_steps"), 3);
-  EXPECT_EQ(count("saturated_steps_hc"), 3);
-  EXPECT_EQ(count("saturated_steps_linear"), 0);
 }
 
 // Box 0.1 m on edge, 8 vertices of 1 kg moving with (1, -2, 2) m/s: 9 / 2 J each.

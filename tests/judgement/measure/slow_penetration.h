@@ -7,7 +7,7 @@
 
 namespace fissure::test {
 
-/// Penetration by its definition (METHOD: penetration depth), with no tree and none of the formulas of the
+/// Penetration by its definition (measure/METHOD.md 1), with no tree and none of the formulas of the
 /// measuring code.
 
 /// Winding number of a closed surface: each triangle's solid angle as the excess of the three dihedral angles

@@ -42,6 +42,7 @@ TEST(Verdict, SaysHeldOnlyWhereNothingSpeaksAgainstIt) {
   expectVerdict(with("max_inverted_triangles", 3LL), VerdictGrade::failed, "inverted");
   expectVerdict(with("unsound_steps", 1LL), VerdictGrade::failed, "unsound tissue");
   expectVerdict(with("contact_steps", 0LL), VerdictGrade::doubtful, "never touched tissue");
+  expectVerdict(with("contacts_total", 0LL), VerdictGrade::doubtful, "beside tissue, no contact");
   expectVerdict(with("uncertified_steps", 0LL), VerdictGrade::held, "held, proved");
   Summary inverted = with("uncertified_steps", 0LL);  // proved of tissue that is none: no praise
   for (SummaryValue& value : inverted)
@@ -85,6 +86,13 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
   Summary unsound = with("unsound_tissue", std::string("vessel explodes"));
   unsound.push_back({"first_unsound_step", 12LL});
   EXPECT_EQ(only(unsound), "unsound tissue, first in step 12: vessel explodes");
+  EXPECT_EQ(
+      only(with("steps_per_measurement", 10LL)),
+      "depth, contact and proof of one step in 10 only (measure.every): what came in between was not seen");
+  EXPECT_EQ(
+      only(with("laws_of_whole_probes", std::string("liver (pig_liver_1)"))),
+      "force of liver (pig_liver_1): fitted to a whole probe, here summed over triangles; its exponent is "
+      "the tissue's, its newtons are not");
 }
 
 TEST(Remarks, CoverageIsNoneWhereTheDepthClaimedIsLarger) {

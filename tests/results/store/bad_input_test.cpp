@@ -31,7 +31,7 @@ void expectStart(const std::string& message, const std::string& start) {
   EXPECT_EQ(message.substr(0, start.size()), start) << message;
 }
 
-std::filesystem::path writeResult(const TemporaryFolder& folder) {
+std::filesystem::path writeResult(const ScratchFolder& folder) {
   const SampleRun run = makeSampleRun(50, true);
   const auto part = folder / "default.part";
   writeSamplePart(part, run, "default");
@@ -48,13 +48,13 @@ void withH5py(const std::filesystem::path& path, const std::string& mode, const 
 }
 
 TEST(BadInput, MissingFileAndFolder) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   EXPECT_EQ(complaintAbout(folder / "none.h5"), "no such file, expected a fissure result");
   EXPECT_EQ(complaintAbout(folder.path()), "is a folder, expected a fissure result");
 }
 
 TEST(BadInput, NoHdf5File) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   std::ofstream(folder / "notes.h5") << "not a result at all\n";
   expectStart(complaintAbout(folder / "notes.h5"), "not an HDF5 file");
   std::ofstream(folder / "empty.h5").flush();
@@ -62,14 +62,14 @@ TEST(BadInput, NoHdf5File) {
 }
 
 TEST(BadInput, OtherHdf5File) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = folder / "other.h5";
   withH5py(path, "w", "f['time'] = [1.0, 2.0]");
   expectStart(complaintAbout(path), "an HDF5 file, but no fissure result");
 }
 
 TEST(BadInput, NewerFormatVersion) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = writeResult(folder);
   EXPECT_EQ(complaintAbout(path), "nothing");
   withH5py(path, "a", "f.attrs.modify('format_version', 2)");
@@ -77,7 +77,7 @@ TEST(BadInput, NewerFormatVersion) {
 }
 
 TEST(BadInput, UnknownStatus) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string unknown = "the status \"melted\" of a run is unknown, expected one of ok, non_finite, ";
   const auto path = writeResult(folder);
   withH5py(path, "a", "f['pipelines/default'].attrs['status'] = 'melted'");
@@ -92,7 +92,7 @@ TEST(BadInput, UnknownStatus) {
 
 // A few hundred bytes claim 2^28 texts, of which none is stored: nothing is made for them.
 TEST(BadInput, MoreTextsThanAreStored) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = writeResult(folder);
   withH5py(path, "a",
            "del f['provenance/scenario_resolved']; f['provenance'].create_dataset('scenario_resolved', "
@@ -105,7 +105,7 @@ TEST(BadInput, MoreTextsThanAreStored) {
 }
 
 TEST(BadInput, MoreNumbersThanAreStored) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = folder / "a.h5";
   withH5py(path, "w",
            "f.create_dataset('none', (2**33,), chunks=(1024,)); f.create_dataset('few', (2**23,), "
@@ -120,7 +120,7 @@ TEST(BadInput, MoreNumbersThanAreStored) {
 
 // Cut anywhere, a result is refused, never half read.
 TEST(BadInput, TruncatedAnywhere) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = writeResult(folder);
   const auto whole = std::filesystem::file_size(path);
   for (auto size = whole - 1; size > whole / 50; size -= whole / 50) {

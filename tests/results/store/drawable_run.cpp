@@ -97,7 +97,7 @@ double drawableDepth_m(std::size_t snapshot) {
 }
 
 void writeDrawableResult(const std::filesystem::path& path, const std::vector<DrawableRun>& runs) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const Scene scene = drawableScene();
   const RecordLayout layout = layoutOf(scene);
   LoadedScenario loaded;

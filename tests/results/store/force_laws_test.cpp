@@ -12,7 +12,7 @@ namespace fissure::force_laws_test {
 namespace {
 
 TEST(ForceLaws, AreStoredWithAllCoefficientsAndTheirUnits) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (std::size_t i = 0; i < forceLaws().size(); ++i) {
     const ForceLawEntry& entry = forceLaws()[i];
     for (const bool per_area : {false, true}) {

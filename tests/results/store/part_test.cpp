@@ -1,7 +1,5 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
-#include <sys/mount.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,57 +10,20 @@
 #include <stdexcept>
 
 #include "base/error.h"
-#include "sample_run.h"
+#include "salvaged.h"
 #include "store/force_inputs.h"
 #include "store/part_file.h"
-#include "store/read_series.h"
-#include "store/result_file.h"
-#include "store/salvage.h"
 
 namespace fissure::part_test {
 
 namespace {
 
-RunStatus statusOf(const std::filesystem::path& path) {
-  return readResultInfo(path).pipelines.at(0).status;
-}
-
-std::string stringOf(const ChildResult& child) {
-  return std::to_string(child.code) + ": " + child.errors;
-}
-
 std::size_t rowsOf(const std::filesystem::path& path) {
   return readSeries(path, "/pipelines/default/time").shape.at(0);
 }
 
-// Assembles a result from one part alone and returns the number of rows that made it, each with its right
-// values.
-std::size_t salvagedRows(const TemporaryFolder& folder, const SampleRun& run,
-                         const std::filesystem::path& part) {
-  const auto path = folder / "salvaged.h5";
-  assembleResult(path, loadedSample(run), {},
-                 {{run.scenario.pipelines.at(1), part, {RunEnd::crashed, "killed"}}});
-  const SeriesData time = readSeries(path, "/pipelines/default/time");
-  const SeriesData counts = readSeries(path, "/pipelines/default/contact_count");
-  const SeriesData force = readSeries(path, "/pipelines/default/force");
-  const SeriesData timing = readSeries(path, "/pipelines/default/timing/time");
-  const std::size_t rows = time.values.size();
-  EXPECT_EQ(counts.values.size(), rows);
-  EXPECT_EQ(force.shape, (std::vector<std::size_t>{2, rows, 3}));
-  EXPECT_EQ(timing.values, time.values);
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double r = static_cast<double>(row);
-    if (time.values[row] != r / 2 || counts.values[row] != 3 * r ||
-        force.values[(rows + row) * 3] != 100 + r) {
-      ADD_FAILURE() << "row " << row << " is damaged";
-      break;
-    }
-  }
-  return rows;
-}
-
 // The salvaged inputs of force laws end with the salvaged rows, each with its right values.
-void expectSalvagedInputs(const TemporaryFolder& folder, std::size_t rows) {
+void expectSalvagedInputs(const ScratchFolder& folder, std::size_t rows) {
   const ForceInputs inputs = readForceInputs(folder / "salvaged.h5", "default");
   ASSERT_EQ(inputs.times_s.size(), rows);
   std::size_t at = 0;
@@ -83,7 +44,7 @@ void expectSalvagedInputs(const TemporaryFolder& folder, std::size_t rows) {
 }
 
 TEST(Part, FinishStoresStatusAndSummary) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(5, true);
   const auto path = folder / "default.part";
   const auto part = openSamplePart(path, run, "default");
@@ -102,7 +63,7 @@ TEST(Part, FinishStoresStatusAndSummary) {
 }
 
 TEST(Part, FinishWithoutAnyRowWorks) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(0, true);
   const auto path = folder / "default.part";
   writeSamplePart(path, run, "default");
@@ -111,7 +72,7 @@ TEST(Part, FinishWithoutAnyRowWorks) {
 }
 
 TEST(Part, DroppedWithoutFinishIsIncompleteAndReadable) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(7, true);
   const auto path = folder / "default.part";
   appendSamples(*openSamplePart(path, run, "default"), run);
@@ -123,7 +84,7 @@ TEST(Part, DroppedWithoutFinishIsIncompleteAndReadable) {
 
 // The worker is killed with 700 rows in the buffer behind two whole blocks of 3334: the blocks are there.
 TEST(Part, KilledWriterLeavesItsCompleteBlocks) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(10000, false);
   const auto path = folder / "default.part";
   const ChildResult child = runInChild([&] {
@@ -141,7 +102,7 @@ TEST(Part, KilledWriterLeavesItsCompleteBlocks) {
 
 // What the laws saw of a step whose row never came is cut.
 TEST(Part, InputsOfForceLawsEndWithTheRowsThatCount) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(7, false);
   run.scenario.record.force_inputs = true;
   const auto path = folder / "default.part";
@@ -159,7 +120,7 @@ TEST(Part, InputsOfForceLawsEndWithTheRowsThatCount) {
 }
 
 TEST(Part, InputsOfForceLawsMustBeAskedForAndFit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(3, false);
   EXPECT_THROW(openSamplePart(folder / "default.part", run, "default")->forceInputs(sampleInputs(1)),
                std::logic_error);
@@ -172,7 +133,7 @@ TEST(Part, InputsOfForceLawsMustBeAskedForAndFit) {
 // Killed from outside at any moment of its writing, in the middle of a flush too.
 TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
   for (int trial = 0; trial < 25; ++trial) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     SampleRun run = makeSampleRun(100, true);
     run.scenario.record.force_inputs = true;
     const auto path = folder / "default.part";
@@ -214,7 +175,7 @@ TEST(Part, WriterKilledAtAnyMomentLeavesWholeRows) {
 // With no patience between blocks each row reaches the disk at once; with a long one none does before its
 // block.
 TEST(Part, OldBlockIsWrittenBeforeItIsFull) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(1000, false);
   for (const double flush_every_s : {0.0, 3600.0}) {
     const auto path = folder / "default.part";
@@ -222,7 +183,7 @@ TEST(Part, OldBlockIsWrittenBeforeItIsFull) {
                                             .pipeline = run.scenario.pipelines.at(1),
                                             .scene = run.scene,
                                             .layout = run.layout,
-                                            .expected_rows = run.rows,
+                                            .expected_steps = static_cast<std::int64_t>(run.rows) - 1,
                                             .flush_every_s = flush_every_s});
     for (std::size_t row = 0; row < 3; ++row) part->append(sampleRow(run.layout, row));
     const ChildResult reader = runInChild([&] { return static_cast<int>(rowsOf(path)); });
@@ -232,7 +193,7 @@ TEST(Part, OldBlockIsWrittenBeforeItIsFull) {
 
 // What is missing would otherwise become a hole of zeros under the next block.
 TEST(Part, CutShortBySomebodyElseIsARunError) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(3000, true);
   const auto path = folder / "default.part";
   const auto part = openSamplePart(path, run, "default");
@@ -247,7 +208,7 @@ TEST(Part, CutShortBySomebodyElseIsARunError) {
 }
 
 TEST(Part, ReadersDoNotKeepItFromBeingFinished) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(100, false);
   const auto path = folder / "default.part";
   writeSamplePart(path, run, "default");
@@ -268,7 +229,7 @@ TEST(Part, ReadersDoNotKeepItFromBeingFinished) {
 }
 
 TEST(Salvage, SaysUpToWhichStep) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(1000, false);
   const auto path = folder / "default.part";
   {
@@ -284,14 +245,14 @@ TEST(Salvage, SaysUpToWhichStep) {
 }
 
 TEST(Salvage, PartWithoutARowIsRefused) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(1000, false);
   openSamplePart(folder / "default.part", run, "default");
   EXPECT_THROW(inspectPart(folder / "default.part"), InputError);
 }
 
 TEST(Part, RefusesWhatDoesNotFit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(5, false);
   const SampleRun with_pictures = makeSampleRun(5, true);
   const auto part = openSamplePart(folder / "a.part", run, "default");
@@ -310,7 +271,7 @@ TEST(Part, RefusesWhatDoesNotFit) {
 }
 
 TEST(Part, RefusesLayoutsWithoutTimeOrWithClashingNames) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto open = [&](const RecordLayout& layout) {
     SampleRun run = makeSampleRun(5, false);
     run.layout = layout;
@@ -339,112 +300,6 @@ TEST(Part, SaysWhyItCannotBeMade) {
   } catch (const RunError& error) {
     EXPECT_STREQ(error.what(), "/nowhere/a.part: cannot create: No such file or directory");
   }
-}
-
-// A limit on the size of files stands for a full disk: writes beyond it fail. For every limit up to the size
-// a whole part needs: either all is there, or each call from the first failed one on throws, and nothing is
-// printed.
-TEST(FullDisk, PartEitherWholeOrRunError) {
-  const TemporaryFolder folder;
-  const SampleRun run = makeSampleRun(3000, true);
-  const auto path = folder / "default.part";
-  writeSamplePart(path, run, "default");
-  const auto whole = std::filesystem::file_size(path);
-  std::size_t failures = 0;
-  for (rlim_t limit = 0; limit <= whole + 4096; limit += whole / 40) {
-    const ChildResult child = runInChild([&] {
-      ::signal(SIGXFSZ, SIG_IGN);
-      const rlimit limits{limit, limit};
-      ::setrlimit(RLIMIT_FSIZE, &limits);
-      try {
-        const auto part = openSamplePart(path, run, "default");
-        try {
-          appendSamples(*part, run);
-          part->finish({RunEnd::ok, ""}, {{"steps", 3000LL}});
-        } catch (const RunError&) {
-          try {
-            part->finish({RunEnd::ok, ""}, {});
-          } catch (const RunError&) {
-            return 42;
-          }
-          return 43;
-        }
-      } catch (const RunError&) {
-        return 42;
-      }
-      return 0;
-    });
-    ASSERT_TRUE(child.exited) << "limit " << limit << ", signal " << child.code;
-    EXPECT_EQ(child.errors, "") << "limit " << limit;
-    if (child.code == 0) {
-      EXPECT_EQ(nameOf(statusOf(path).end), "ok");
-      EXPECT_EQ(salvagedRows(folder, run, path), 3000U) << "limit " << limit;
-    } else {
-      EXPECT_EQ(child.code, 42) << "limit " << limit;
-      ++failures;
-    }
-  }
-  EXPECT_GT(failures, 30U) << "the limit did not bite";
-}
-
-TEST(FullDisk, ResultIsWholeOrTheOldOneStays) {
-  const TemporaryFolder folder;
-  const SampleRun run = makeSampleRun(3000, true);
-  const auto part = folder / "default.part";
-  writeSamplePart(part, run, "default");
-  std::filesystem::create_directory(folder / "out");
-  const auto path = folder / "out" / "sample.h5";
-  const std::vector<PartResult> parts = {{run.scenario.pipelines.at(1), part, {RunEnd::ok, ""}}};
-  assembleResult(path, loadedSample(run), {{"version", "old"}}, parts);
-  const auto whole = std::filesystem::file_size(path);
-  std::size_t failures = 0;
-  for (rlim_t limit = 0; limit <= whole + 4096; limit += whole / 60) {
-    const ChildResult child = runInChild([&] {
-      ::signal(SIGXFSZ, SIG_IGN);
-      const rlimit limits{limit, limit};
-      ::setrlimit(RLIMIT_FSIZE, &limits);
-      try {
-        assembleResult(path, loadedSample(run), {{"version", "new"}}, parts);
-      } catch (const RunError& error) {
-        return std::string(error.what()).find("sample.h5") == std::string::npos ? 43 : 42;
-      }
-      return 0;
-    });
-    ASSERT_TRUE(child.exited) << "limit " << limit << ", signal " << child.code;
-    EXPECT_EQ(child.errors, "") << "limit " << limit;
-    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "out"), {}), 1) << "limit " << limit;
-    const ResultInfo info = readResultInfo(path);
-    EXPECT_TRUE(info.complete);
-    EXPECT_EQ(info.provenance.at(0).second, child.code == 0 ? "new" : "old") << "limit " << limit;
-    EXPECT_EQ(readSeries(path, "/pipelines/default/frames").values,
-              readSeries(part, "/pipelines/default/frames").values);
-    EXPECT_EQ(readSeries(path, "/pipelines/default/force").values,
-              readSeries(part, "/pipelines/default/force").values);
-    failures += child.code == 42 ? 1 : 0;
-    if (child.code == 0) assembleResult(path, loadedSample(run), {{"version", "old"}}, parts);
-  }
-  EXPECT_GT(failures, 50U) << "the limit did not bite";
-}
-
-// A real full file system, where mounting one is allowed: a tmpfs that holds a part but not the result beside
-// it.
-TEST(FullDisk, FullFileSystemIsSaidInOneLine) {
-  const TemporaryFolder folder;
-  if (::mount("none", folder.path().c_str(), "tmpfs", 0, "size=256k") != 0) {
-    GTEST_SKIP() << "may not mount a small file system here";
-  }
-  const SampleRun run = makeSampleRun(3000, false);
-  const ChildResult child = runInChild([&] {
-    const auto part = openSamplePart(folder / "default.part", run, "default");
-    appendSamples(*part, run);
-    part->finish({RunEnd::ok, ""}, {});
-    return 0;
-  });
-  ::umount(folder.path().c_str());
-  EXPECT_EQ(child.code, 3);
-  EXPECT_NE(child.errors.find("default.part: "), std::string::npos) << stringOf(child);
-  EXPECT_NE(child.errors.find("No space left on device"), std::string::npos) << stringOf(child);
-  EXPECT_EQ(child.errors.find('\n'), std::string::npos) << stringOf(child);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ namespace {
 
 const Provenance kProvenance = {{"version", "0.1.0"}, {"command_line", "fissure run sample.yaml"}};
 
-std::vector<PartResult> writeParts(const TemporaryFolder& folder, const SampleRun& run) {
+std::vector<PartResult> writeParts(const ScratchFolder& folder, const SampleRun& run) {
   std::vector<PartResult> parts;
   for (const PipelineSettings& pipeline : run.scenario.pipelines) {
     const auto path = folder / (pipeline.name + ".part");
@@ -27,7 +27,7 @@ std::vector<PartResult> writeParts(const TemporaryFolder& folder, const SampleRu
 }
 
 void expectReadableWithPython(std::size_t rows) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(rows, true);
   run.scenario.record.force_inputs = true;
   const auto path = folder / "sample.h5";
@@ -55,7 +55,7 @@ TEST(Result, ReadsInXarrayWithoutAnyRow) {
 
 // Each text once, in the order of the pipelines; no part's own summary repeats it.
 TEST(Result, ProvenanceSaysWhatTheWorkersWere) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(3, true);
   std::vector<PartResult> parts;
   for (const PipelineSettings& pipeline : run.scenario.pipelines) {
@@ -76,7 +76,7 @@ TEST(Result, ProvenanceSaysWhatTheWorkersWere) {
 }
 
 TEST(Result, InfoTellsWhatWasWritten) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(6, true);
   std::vector<PartResult> parts = writeParts(folder, run);
   parts[1].status = {RunEnd::timeout, "after 3600 s"};
@@ -119,7 +119,7 @@ TEST(Result, InfoTellsWhatWasWritten) {
 }
 
 TEST(Result, HoldsOnlyWhatTheScenarioAskedFor) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(4, false);
   run.scene.tools[0].nodes = {};
   run.scene.tools[1].nodes = {};
@@ -136,7 +136,7 @@ TEST(Result, HoldsOnlyWhatTheScenarioAskedFor) {
 
 // What another finite-element program needs to be given the same problem. References leave it out.
 TEST(Result, HoldsTheTetrahedraOfElasticBodiesBesideTheirSurfaces) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(4, false);
   run.scenario.record.snapshots_every_s = 1.0;
   SceneBody& kidney = run.scene.bodies[1];
@@ -163,7 +163,7 @@ TEST(Result, HoldsTheTetrahedraOfElasticBodiesBesideTheirSurfaces) {
 }
 
 TEST(Result, InputsOfForceLawsAreReadBackOrNamedAsMissing) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(5, false);
   const auto without = folder / "without.h5", with = folder / "with.h5";
   assembleResult(without, loadedSample(run), kProvenance, writeParts(folder, run));
@@ -204,7 +204,7 @@ TEST(Result, InputsOfForceLawsAreReadBackOrNamedAsMissing) {
 
 // Views slow readers down by the square of their number; the stack of frames itself is never cut.
 TEST(Result, ThousandFramesHaveViews) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(4, true);
   run.frames = 1001;
   const auto path = folder / "sample.h5";
@@ -217,7 +217,7 @@ TEST(Result, ThousandFramesHaveViews) {
 }
 
 TEST(Result, MissingOrDamagedPartLeavesItsStatusAlone) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(4, false);
   std::vector<PartResult> parts = writeParts(folder, run);
   std::filesystem::resize_file(*parts[0].part, std::filesystem::file_size(*parts[0].part) / 2);
@@ -233,7 +233,7 @@ TEST(Result, MissingOrDamagedPartLeavesItsStatusAlone) {
 }
 
 TEST(Result, ReplacesWholeFilesAndLeavesNoOthers) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(4, false);
   const auto parts = writeParts(folder, run);
   std::filesystem::create_directory(folder / "out");
@@ -246,7 +246,7 @@ TEST(Result, ReplacesWholeFilesAndLeavesNoOthers) {
 }
 
 TEST(ReadSeries, GivesValuesAndShape) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(3, false);
   const auto path = folder / "default.part";
   writeSamplePart(path, run, "default");

@@ -57,13 +57,13 @@ RecordLayout sampleLayout() {
 
 }  // namespace
 
-TemporaryFolder::TemporaryFolder() {
+ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "fissure_store_XXXXXX").string();
   if (!::mkdtemp(name.data())) throw std::runtime_error("cannot make a temporary folder");
   path_ = name;
 }
 
-TemporaryFolder::~TemporaryFolder() {
+ScratchFolder::~ScratchFolder() {
   std::error_code ignored;
   std::filesystem::remove_all(path_, ignored);
 }
@@ -166,7 +166,7 @@ std::unique_ptr<RecordSink> openSamplePart(const std::filesystem::path& path, co
                                  .pipeline = entry,
                                  .scene = run.scene,
                                  .layout = run.layout,
-                                 .expected_rows = run.rows,
+                                 .expected_steps = static_cast<std::int64_t>(run.rows) - 1,
                                  .scenario_resolved = "name: sample\n"});
   }
   throw std::logic_error("no such pipeline");
@@ -201,7 +201,7 @@ LoadedScenario loadedSample(const SampleRun& run) {
 }
 
 ChildResult runInChild(const std::function<int()>& work) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::filesystem::path log = folder / "stderr";
   const pid_t child = ::fork();
   if (child == 0) {

@@ -14,10 +14,10 @@
 namespace fissure {
 
 /// A folder of its own that goes away with the object.
-class TemporaryFolder {
+class ScratchFolder {
  public:
-  TemporaryFolder();
-  ~TemporaryFolder();
+  ScratchFolder();
+  ~ScratchFolder();
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
   const std::filesystem::path& path() const { return path_; }
 

@@ -23,7 +23,7 @@ void expectSamePose(const Pose& a, const Pose& b) {
 }
 
 TEST(SnapshotReader, GivesBackSceneAndStates) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeDrawableResult(folder / "r.h5", {{"a"}});
   const SnapshotReader reader(folder / "r.h5", "a");
   const Scene scene = drawableScene();
@@ -55,7 +55,7 @@ TEST(SnapshotReader, GivesBackSceneAndStates) {
 }
 
 TEST(SnapshotReader, ARunWithoutSnapshotsIsEmpty) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(5, false);
   writeSamplePart(folder / "a.part", run, "default");
   assembleResult(folder / "r.h5", loadedSample(run), {},
@@ -70,7 +70,7 @@ TEST(SnapshotReader, ARunWithoutSnapshotsIsEmpty) {
 
 // The sample run has positions of its tools, but no orientations.
 TEST(SnapshotReader, WhatIsMissingIsNamed) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SampleRun run = makeSampleRun(5, true);
   writeSamplePart(folder / "a.part", run, "default");
   assembleResult(folder / "r.h5", loadedSample(run), {},
@@ -85,7 +85,7 @@ TEST(SnapshotReader, WhatIsMissingIsNamed) {
 }
 
 TEST(SnapshotWriter, StoresHandlesAndTheirPlacesOnlyWhereThereAreSome) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeDrawableResult(folder / "r.h5", {{"a"}});
   EXPECT_EQ(readSeries(folder / "r.h5", "/pipelines/a/visuals/clamp_handle/faces").shape,
             (std::vector<std::size_t>{12, 3}));

@@ -52,7 +52,7 @@ bool sameNumber(double a, double b) {
 }
 
 TEST(SweepTable, RoundTripsEveryValue) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const SweepTableLayout layout = sampleSweep(3000, 5);
   writeSampleSweep(folder / "sweep.h5", layout);
   const SweepTable table(folder / "sweep.h5");
@@ -89,7 +89,7 @@ TEST(SweepTable, RoundTripsEveryValue) {
 }
 
 TEST(SweepTable, KeepsNumbersToTheLastBit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::vector<double> values = {
       std::numeric_limits<double>::quiet_NaN(), -0.0, 1.7976931348623157e308, 5e-324, 0.1,
       -std::numeric_limits<double>::infinity(), 1e22};
@@ -113,7 +113,7 @@ TEST(SweepTable, KeepsNumbersToTheLastBit) {
 }
 
 TEST(SweepTable, CountsAreDigitsInCsv) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = smallLayout(2);
   layout.metrics = {{"rays"}, {"max_force_N"}};
   SweepTableWriter writer(folder / "sweep.h5", layout);
@@ -128,7 +128,7 @@ TEST(SweepTable, CountsAreDigitsInCsv) {
 }
 
 TEST(SweepTable, NumericAxesHaveTheUnitsOfTheirNames) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = smallLayout(1);
   layout.axes = {{"stiffness_N_m", "tools.spatula.coupling.stiffness_N_m", true},
                  {"start_m", "tools.spatula.motion.start_m", false}};
@@ -150,7 +150,7 @@ TEST(SweepTable, QuotesFieldsAsRfc4180Says) {
 }
 
 void expectReadableWithPython(std::size_t runs, std::size_t times) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeSampleSweep(folder / "sweep.h5", sampleSweep(runs, times));
   writeSweepCsv(folder / "sweep.csv", SweepTable(folder / "sweep.h5"));
   const std::string command =
@@ -174,7 +174,7 @@ TEST(SweepTable, ReadsInXarrayAcrossBlocks) {
 
 /// What sweep_cube.py says about a table of these rows, as it ends well.
 std::string cubeOf(const SweepTableLayout& layout, const std::vector<SweepRun>& rows) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableWriter writer(folder / "sweep.h5", layout);
   for (const SweepRun& row : rows) writer.append(row);
   writer.finish(true);
@@ -201,7 +201,7 @@ TEST(SweepTable, CubesOfFewRunsAreSentences) {
 
 // With other provenance, and on another day.
 TEST(SweepTable, SameRowsGiveTheSameData) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = sampleSweep(1100, 3);
   writeSampleSweep(folder / "a.h5", layout);
   layout.provenance = {{"version", "0.1.0"}, {"command_line", "fissure sweep sample.yaml --shard 1/2"}};
@@ -212,7 +212,7 @@ TEST(SweepTable, SameRowsGiveTheSameData) {
 }
 
 TEST(SweepTable, LeavesOutCurvesPerLawWithoutLaws) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = sampleSweep(1, 4);
   layout.laws.clear();
   SweepRun run = sampleSweepRun(layout, 0);
@@ -224,7 +224,7 @@ TEST(SweepTable, LeavesOutCurvesPerLawWithoutLaws) {
 }
 
 TEST(SweepTable, KeepsTheMeasuredCurve) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = sampleSweep(2, 3);
   layout.measured_N = {0, 0.5, 0.25};
   writeSampleSweep(folder / "sweep.h5", layout);
@@ -232,7 +232,7 @@ TEST(SweepTable, KeepsTheMeasuredCurve) {
 }
 
 TEST(SweepTable, RefusesRowsThatDoNotFit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableWriter writer(folder / "sweep.h5", smallLayout(2));
   EXPECT_THROW(writer.append({0, 0, "p", RunEnd::ok, "", "", {"1"}, {}, {}}), std::logic_error);
   EXPECT_THROW(writer.append({0, 0, "p", RunEnd::ok, "", "", {"one"}, {1}, {}}), std::logic_error);
@@ -243,7 +243,7 @@ TEST(SweepTable, RefusesRowsThatDoNotFit) {
 }
 
 TEST(SweepTable, StandsUnderItsNameOnlyWhenFinished) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeSampleSweep(folder / "sweep.h5", sampleSweep(3, 2));
   {
     SweepTableWriter dropped(folder / "sweep.h5", sampleSweep(5, 2));
@@ -256,7 +256,7 @@ TEST(SweepTable, StandsUnderItsNameOnlyWhenFinished) {
 }
 
 TEST(FullDisk, SweepTableEitherWholeOrRunError) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = folder / "sweep.h5";
   writeSampleSweep(path, sampleSweep(1500, 4));
   const auto whole = std::filesystem::file_size(path);
@@ -283,7 +283,7 @@ TEST(FullDisk, SweepTableEitherWholeOrRunError) {
 }
 
 TEST(SweepTable, SaysWhatIsWrongWithAFile) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = folder / "sweep.h5";
   const auto said = [&] { return complaint([&] { SweepTable table(path); }); };
   EXPECT_EQ(said(), path.string() + ": no such file, expected a fissure sweep");
@@ -308,7 +308,7 @@ TEST(SweepTable, SaysWhatIsWrongWithAFile) {
 }
 
 TEST(SweepTable, RefusesAnUnknownStatus) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto path = folder / "sweep.h5";
   writeSampleSweep(path, sampleSweep(5, 2));
   EXPECT_EQ(SweepTable(path).ends(),

@@ -1,4 +1,4 @@
-// Coulomb friction of ContactImpulses, against closed forms. METHOD: response.
+// Coulomb friction of ContactImpulses, against closed forms. contact/METHOD.md 6.1.
 #include <gtest/gtest.h>
 
 #include <random>

@@ -1,7 +1,7 @@
 // A mass of 0.05 kg hits a Hunt-Crossley wall (k 2000, n 1.5) at 0.5 m/s, through the law under test. Closed
 // form: with a = lambda / k and G(v) = v / a - ln(1 + a v) / a^2 it compresses to
 // x_max = ((n + 1) m G(v0) / k)^(1 / (n + 1)) and leaves at v1 < 0 with G(v1) = G(v0) (Hunt and Crossley
-// 1975; METHOD: force).
+// 1975; contact/METHOD.md 12).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ struct Impact {
 };
 
 struct Reference {
-  double a, x_max_mm, speed_ratio;  ///< METHOD: force
+  double a, x_max_mm, speed_ratio;  ///< contact/METHOD.md 12
 };
 constexpr std::array<Reference, 3> kReferences = {
     {{0.1, 8.94216, 0.967739}, {0.5, 8.52698, 0.856851}, {1.5, 7.75053, 0.662962}}};

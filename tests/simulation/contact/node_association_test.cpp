@@ -1,5 +1,5 @@
-// Which side of a pair may hold tissue, over the steps in which a blade turns in a slit (METHOD:
-// feasibility).
+// Which side of a pair may hold tissue, over the steps in which a blade turns in a slit
+// (contact/METHOD.md 4).
 #include "contact/node_association.h"
 
 #include <gtest/gtest.h>

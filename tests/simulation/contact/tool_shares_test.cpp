@@ -1,4 +1,4 @@
-// Several tools on one body: which of them feels a triangle's force (METHOD: force).
+// Several tools on one body: which of them feels a triangle's force (contact/METHOD.md 12).
 #include <gtest/gtest.h>
 
 #include <algorithm>

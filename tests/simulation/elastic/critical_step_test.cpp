@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
+#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
@@ -138,7 +139,10 @@ TEST(CriticalStep, FollowsTheStretch) {
           tissue.substepsFor(1e-3);
           const double limit_s = 2 / std::sqrt(highestFrequencySquared(tissue));
           EXPECT_LT(tissue.criticalStep_s(), 1.01 * limit_s) << stretch.name << " " << ratio;
-          EXPECT_GT(tissue.criticalStep_s(), 0.5 * limit_s) << stretch.name << " " << ratio;
+          const bool softens =
+              model == MaterialModel::saint_venant_kirchhoff && stretch.gradient.determinant() < 0.5;
+          EXPECT_GT(tissue.criticalStep_s(), (softens ? 0.24 : 0.5) * limit_s)
+              << stretch.name << " " << ratio;
         }
   }
 }
@@ -171,8 +175,19 @@ TEST(CriticalStep, FollowsTheStretchOfEachMaterial) {
           }
 }
 
-// With viscosity too: the inside of a block whose surface is held stretched. Compressed corotated elements
-// are left out, which buckle at any step (material.h).
+/// Whether no wave in tissue of this stretch grows by itself, at any step, as compressed tissue of some laws
+/// does (material.h). Says no more often than it must.
+bool isElliptic(const ElasticMaterial& material, const Mat3& f) {
+  if (material.model == MaterialModel::neo_hookean) return true;
+  if (material.model == MaterialModel::linear_corotated) return f.determinant() >= 0.67;
+  const LameConstants lame = lameConstants(material.youngs_modulus_Pa, material.poissons_ratio);
+  const Vec3 squares = f.jacobiSvd().singularValues().array().square();
+  const double least_stress_Pa =
+      lame.mu_Pa * (squares.minCoeff() - 1) + lame.lambda_Pa / 2 * (squares.sum() - 3);
+  return lame.mu_Pa * squares.minCoeff() + least_stress_Pa > 0;
+}
+
+// With viscosity too: the inside of a block whose surface is held stretched.
 TEST(CriticalStep, HoldsForViscousTissueThatIsStretched) {
   const BlockMesh block = makeBlock({.cells = {4, 4, 4}, .irregularity = 0.4});
   std::vector<int> surface;
@@ -180,8 +195,9 @@ TEST(CriticalStep, HoldsForViscousTissueThatIsStretched) {
   for (const MaterialModel model : kModels)
     for (const double viscosity : {0.0, 0.5, 3.0, 20.0})
       for (const Stretch& stretch : stretches()) {
-        if (model == MaterialModel::linear_corotated && stretch.gradient.determinant() < 0.67) continue;
-        ElasticTissue tissue(block.mesh, {model, 1e4, 0.4, 1000, viscosity}, surface, 0, Vec3::Zero());
+        const ElasticMaterial material = {model, 1e4, 0.4, 1000, viscosity};
+        if (!isElliptic(material, stretch.gradient)) continue;
+        ElasticTissue tissue(block.mesh, material, surface, 0, Vec3::Zero());
         for (std::size_t v = 0; v < block.mesh.vertices_m.size(); ++v)
           tissue.positions_m()[v] = stretch.gradient * block.mesh.vertices_m[v];
         tissue.substepsFor(1e-3);
@@ -218,6 +234,33 @@ Pulled pullSheet(bool watched) {
   }
   pulled.calm = tissue.finite() && tissue.energies().kinetic_J < 1e-5 * tissue.energies().stored_J;
   return pulled;
+}
+
+// A jump of the tools stretches tissue more than their own speed does; what is slow again asks for no more
+// substeps than its stretch now, and has foreseen nothing.
+TEST(CriticalStep, SubstepsFallWhenToolsSlowDown) {
+  const BlockMesh block = makeBlock({});
+  ElasticTissue tissue(block.mesh, {MaterialModel::neo_hookean, 1e4, 0.45, 1000, 0.5}, {}, 0, Vec3::Zero());
+  const auto stretch = [&](double factor) {
+    for (std::size_t v = 0; v < block.mesh.vertices_m.size(); ++v)
+      tissue.positions_m()[v] = block.mesh.vertices_m[v].cwiseProduct(Vec3(factor, 1, 1));
+    return tissue.substepsFor(1e-2);
+  };
+  const int at_rest = stretch(1);
+  ASSERT_GT(at_rest, 3);
+  tissue.changeTempo(10);
+  const int in_the_jump = stretch(2);
+  EXPECT_GT(in_the_jump, 1.5 * at_rest);
+  tissue.changeTempo(1);
+  EXPECT_EQ(stretch(1), in_the_jump) << "as long as the tempo stays";
+  stretch(1.5);
+  tissue.changeTempo(0.1);
+  ElasticTissue fresh(block.mesh, {MaterialModel::neo_hookean, 1e4, 0.45, 1000, 0.5}, {}, 0, Vec3::Zero());
+  std::copy(tissue.positions_m().begin(), tissue.positions_m().end(), fresh.positions_m().begin());
+  fresh.changeTempo(0.1);  // foresees nothing
+  const int slow_again = tissue.substepsFor(1e-2);
+  EXPECT_EQ(slow_again, std::max(at_rest, fresh.substepsFor(1e-2)));
+  EXPECT_LT(slow_again, in_the_jump);
 }
 
 TEST(CriticalStep, SubstepsRiseBeforeTheLimitIsMet) {

@@ -23,6 +23,10 @@ inline Mat3 plainStress(const ElasticMaterial& material, const Mat3& f) {
     const double volume_ratio = f.col(0).dot(cofactor.col(0));
     return mu * (1 - 1 / (f.squaredNorm() + 1)) * f + lambda * (volume_ratio - alpha) * cofactor;
   }
+  if (material.model == MaterialModel::saint_venant_kirchhoff) {
+    const Mat3 strain = 0.5 * (f.transpose() * f - Mat3::Identity());
+    return f * (2 * lame.mu_Pa * strain + lame.lambda_Pa * strain.trace() * Mat3::Identity());
+  }
   const Eigen::JacobiSVD<Mat3> svd(f, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Mat3 v = svd.matrixV();
   if ((svd.matrixU() * v.transpose()).determinant() < 0) v.col(2) *= -1;

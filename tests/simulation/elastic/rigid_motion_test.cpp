@@ -76,11 +76,14 @@ void settle(ElasticTissue& tissue, int steps) {
   }
 }
 
+/// Laws that drive inverted elements back.
+constexpr MaterialModel kRecovering[] = {MaterialModel::neo_hookean, MaterialModel::linear_corotated};
+
 // One tetrahedron, 10 % of its size, or with one corner mirrored at the others: it finds its shape again.
 TEST(Recovery, OfAnElementThatIsCrushedOrInverted) {
   const TetrahedralMesh rest = {{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0.003, 0.002, 0.012}},
                                 {{0, 1, 2, 3}}};
-  for (const MaterialModel model : kModels)
+  for (const MaterialModel model : kRecovering)
     for (const double ratio : {0.0, 0.3, 0.45, 0.49}) {
       for (const bool inverted : {false, true}) {
         ElasticTissue tissue(rest, {model, 1e4, ratio, 1000, 1}, {}, 4, Vec3::Zero());
@@ -100,7 +103,7 @@ TEST(Recovery, OfAnElementThatIsCrushedOrInverted) {
 // A vertex of a block pushed through its neighbours.
 TEST(Recovery, OfABlockWithAVertexPushedThrough) {
   const BlockMesh block = makeBlock({.cells = {2, 2, 2}, .irregularity = 0.2});
-  for (const MaterialModel model : kModels) {
+  for (const MaterialModel model : kRecovering) {
     ElasticTissue tissue(block.mesh, {model, 1e4, 0.4, 1000, 2}, {}, block.surface_vertices, Vec3::Zero());
     tissue.positions_m().back() += Vec3(0.018, 0.03, 0.01);
     EXPECT_GT(tissue.invertedElements(), 0);

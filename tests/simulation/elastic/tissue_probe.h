@@ -7,7 +7,8 @@
 
 namespace fissure {
 
-inline constexpr MaterialModel kModels[] = {MaterialModel::neo_hookean, MaterialModel::linear_corotated};
+inline constexpr MaterialModel kModels[] = {MaterialModel::neo_hookean, MaterialModel::linear_corotated,
+                                            MaterialModel::saint_venant_kirchhoff};
 
 /// Internal forces on the vertices of a tissue without fixed vertices, gravity and mass damping, where it
 /// stands: what one substep from no velocity gives them. Leaves positions as they were, and no velocity.

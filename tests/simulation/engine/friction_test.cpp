@@ -1,4 +1,4 @@
-// Coulomb friction of tools through a whole world, against closed forms. METHOD: response.
+// Coulomb friction of tools through a whole world, against closed forms. contact/METHOD.md 6.1.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -182,7 +182,7 @@ World squeezed(double mu, PipelineKind pipeline) {
   return world;
 }
 
-// METHOD: a body lifted by two jaws with friction stays lifted.
+// A body lifted by two jaws with friction stays lifted (contact/METHOD.md 6.1).
 TEST_P(FrictionOf, ABodyBetweenJawsIsLiftedAndStaysLifted) {
   World world = squeezed(0.5, GetParam());
   const double from_m = world.centre_m().y();

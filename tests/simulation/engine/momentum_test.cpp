@@ -149,7 +149,7 @@ TEST_P(MomentumOf, ABodyAtRestOnAToolWeighsWhatItWeighsAndDoesNotSink) {
   EXPECT_GT(world.lowest_m(), world.toolHeight_m() + 0.005) << "above the table";
 }
 
-// The same with response none: what it reports is no weight. (METHOD: response.)
+// The same with response none: what it reports is no weight. (contact/METHOD.md 5)
 TEST(Momentum, WithoutResponseTheReactionIsNoWeight) {
   World world(kTable_m, kBelow_m, {}, ContactResponse::none);
   for (int i = 0; i < 2000; ++i) world.step();

@@ -7,6 +7,8 @@
 
 #include "defect_lines.h"
 #include "mesh/primitives.h"
+#include "mesh/triangle.h"
+#include "mesh/weld.h"
 
 namespace fissure::check_test {
 
@@ -23,6 +25,25 @@ TEST(FindDefects, CountsBoundaryEdges) {
   TriangleMesh mesh = sphere();
   mesh.faces.pop_back();
   EXPECT_EQ(findDefects(mesh), Lines{"3 boundary edges (the surface is open)"});
+}
+
+// Each triangle with corners of its own, each coordinate written with seven digits.
+TEST(FindDefects, SaysWhereWeldingMayCloseTheSurface) {
+  TriangleMesh mesh, whole = sphere();
+  for (const Face& face : whole.faces) {
+    const int first = static_cast<int>(mesh.vertices_m.size());
+    for (const Vec3& corner : cornersOf(whole, face)) {
+      const double noise = 1e-9 * static_cast<double>(mesh.vertices_m.size() % 7);
+      mesh.vertices_m.emplace_back(corner + Vec3(noise, -noise, noise));
+    }
+    mesh.faces.push_back({first, first + 1, first + 2});
+  }
+  const Lines lines = findDefects(mesh);
+  EXPECT_EQ(lines.back(),
+            "384 boundary edges (the surface is open, but 384 of its 384 rim vertices nearly coincide with "
+            "another: weld_tolerance_m: 2e-08 may close it)");
+  weldVertices(mesh, 2e-8);
+  EXPECT_EQ(findDefects(mesh), Lines{});
 }
 
 TEST(FindDefects, CountsOneInTheSingular) {

@@ -44,7 +44,7 @@ class MeshFile : public testing::Test {
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
     return message.substr(std::min(where.size(), message.size()));
   }
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
 };
 
 std::string replaced(std::string text, char what, const std::string& with) {

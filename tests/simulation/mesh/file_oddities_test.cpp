@@ -41,7 +41,7 @@ class FileOddities : public testing::Test {
     }
     return texts;
   }
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
 };
 
 using Texts = std::vector<std::string>;

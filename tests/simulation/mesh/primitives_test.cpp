@@ -38,7 +38,7 @@ TEST(Sphere, HasTheCountsOfASubdividedOctahedron) {
     int subdivisions;
     std::size_t vertices, faces;
   };
-  // 2 is the paper's sphere, 3 the finer one of METHOD M1.
+  // 2 is the paper's sphere (contact/METHOD.md 1), 3 a finer one.
   for (const Count& count :
        {Count{0, 6, 8}, Count{1, 18, 32}, Count{2, 66, 128}, Count{3, 258, 512}, Count{4, 1026, 2048}}) {
     const TriangleMesh sphere = makeSphere(0.03, count.subdivisions);

@@ -37,6 +37,23 @@ TEST(VirtualCoupling, SwingsAsAnOscillatorDoesToTheFirstOrderOfTheStep) {
   }
 }
 
+// A hand that goes on at a tenth of its speed, and the tool with it: without that it flies on.
+TEST(VirtualCoupling, SlowsDownWithItsHand) {
+  VirtualCoupling coupling(kHeavy, Vec3::Zero(), 0.001);
+  Vec3 at, before;
+  for (int i = 1; i <= 3000; ++i) {
+    before = at;
+    at = coupling.advance(Vec3(0.001 * i, 0, 0), Vec3::Zero());
+  }
+  EXPECT_NEAR((at - before).x(), 0.001, 1e-9);
+  coupling.changeTempo(10);
+  VirtualCoupling slower = coupling;
+  slower.changeTempo(0.1);
+  const Vec3 target_m(3.0001, 0, 0);
+  EXPECT_NEAR((slower.advance(target_m, Vec3::Zero()) - at).x(), 0.0001, 2e-5);
+  EXPECT_NEAR((coupling.advance(target_m, Vec3::Zero()) - at).x(), 0.001, 1e-4);
+}
+
 TEST(VirtualCoupling, AtRestTheSpringHoldsTheForce) {
   VirtualCoupling coupling(kHeavy, Vec3(0.1, 0, 0), 0.001);
   Vec3 at;

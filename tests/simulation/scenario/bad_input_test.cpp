@@ -272,7 +272,7 @@ TEST(BadInputBase, DeepNestingIsAnErrorNotACrash) {
 TEST(BadInputBase, AQuoteThatIsNeverClosedDoesNotSwallowTheRest) {
   const std::string text = std::string(smallest_text) + "description: \"a line of text\nmeasure: {}\n\n";
   const std::string message = inputError([&] { parseScenario(text, "a.yaml"); });
-  EXPECT_EQ(message, "a.yaml:10: illegal EOF in scalar, expected YAML");
+  EXPECT_EQ(message, "a.yaml:10: column 12: a text in quotes is not closed, expected its second quote");
 }
 
 TEST(BadInputBase, DocumentMarksAroundTheOneDocumentAreFine) {
@@ -300,7 +300,8 @@ TEST_F(BadFile, Empty) {
 
 TEST_F(BadFile, Binary) {
   write("a.yaml", std::string("\x89HDF\r\n\x1a\n\0\0", 10));
-  EXPECT_EQ(loadError("a.yaml"), "a.yaml:1: binary data or not UTF-8, expected UTF-8 text");
+  EXPECT_EQ(loadError("a.yaml"),
+            "a.yaml: is an HDF5 file, as results are, expected YAML; type: fissure info a.yaml");
 }
 
 TEST_F(BadFile, NotAMap) {

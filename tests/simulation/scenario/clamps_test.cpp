@@ -166,7 +166,8 @@ TEST_F(Clamps, RefuseWhatIsWrongInOneLine) {
            {"open_m: 0.05", "open_m: 0",
             "40: tools.gripper.motion.opening.open_m is 0, expected more: the clamp would never open"},
            {"open_m: 0.05", "open_m: -1",
-            "40: tools.gripper.motion.opening.open_m is -1, expected at least 0: the jaws touch there"},
+            "40: tools.gripper.motion.opening.open_m is -1, expected a number of at least 0: the jaws touch "
+            "there"},
            {"name: gripper", "name: forceps_left",
             "30: tools.forceps_left.name is that of a jaw of \"forceps\" too, expected another"}})
     EXPECT_EQ(errorWith(c.from, c.to), std::string("a.yaml:") + c.message) << c.to;

@@ -265,6 +265,9 @@ TEST(Elastic, BulletsDeformableWorldTakesOneElasticBodyInDoublePrecision) {
   EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.d.pipeline"});
   scenario.bodies[0].elastic.material = ElasticMaterialKind::linear_corotated;
   EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>());
+  scenario.bodies[0].elastic.material = ElasticMaterialKind::saint_venant_kirchhoff;
+  EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.d.pipeline"});
+  scenario.bodies[0].elastic.material = ElasticMaterialKind::linear_corotated;
   scenario.bodies[0].elastic.regions = {{.name = "part", .box = BoxRegion{{0, 0, 0}, {1, 1, 1}}}};
   EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>{"pipelines.d.pipeline"});
 }

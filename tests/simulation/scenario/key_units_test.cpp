@@ -1,89 +1,32 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <memory>
-#include <optional>
 #include <set>
 #include <string>
-#include <type_traits>
-#include <variant>
-#include <vector>
 
-#include "scenario/fields.h"
+#include "scenario/key_tree.h"
 #include "text/summary_unit.h"
 
 namespace fissure::key_units_test {
 
 namespace {
 
-template <class T>
-struct IsList : std::false_type {};
-template <class T>
-struct IsList<std::optional<T>> : std::true_type {};
-template <class T>
-struct IsList<std::vector<T>> : std::true_type {};
-template <class T, std::size_t N>
-struct IsList<std::array<T, N>> : std::true_type {};
-
-/// Collects the keys of all numbers, whether or not they apply: an Io of scenario/fields.h.
-class NumberKeys {
- public:
-  const std::set<std::string>& keys() const { return keys_; }
-
-  template <class T>
-  void field(const char* key, T&) {
-    if constexpr (IsList<T>::value) {
-      typename T::value_type item{};
-      field(key, item);
-    } else if constexpr (std::is_same_v<T, int> || std::is_same_v<T, double> || std::is_same_v<T, Vec3> ||
-                         std::is_same_v<T, Quat>) {
-      keys_.insert(key);
-    } else if constexpr (std::is_class_v<T> && !std::is_same_v<T, std::string>) {
-      T map{};
-      describe(*this, map);
-    }
-  }
-  template <class T>
-  void required(const char* key, T& value) {
-    field(key, value);
-  }
-  template <class T>
-  void fieldIf(bool, const char*, const char* key, T& value) {
-    field(key, value);
-  }
-  template <class... Ts>
-  void tagged(const char*, std::variant<Ts...>&, const std::vector<CatalogEntry>&) {
-    (field("", *std::make_unique<Ts>()), ...);
-  }
-  template <class T>
-  void choice(const char*, T&, const std::vector<CatalogEntry>&) {}
-  template <class T>
-  void requiredChoice(const char*, T&, const std::vector<CatalogEntry>&, const char* = nullptr) {}
-  template <class T>
-  void choiceIf(bool, const char*, const char*, T&, const std::vector<CatalogEntry>&) {}
-  template <class T>
-  void choices(const char*, std::vector<T>&, const std::vector<CatalogEntry>&) {}
-  template <class Fill>
-  void whileReading(Fill) {}
-  void nameOr(const char*, std::string&, const char*) {}
-  void text(const char*, std::string&) {}
-
- private:
-  std::set<std::string> keys_;
-};
+void addNumbers(const KeyNode& node, std::set<std::string>& names) {
+  using Kind = KeyNode::Kind;
+  if (node.kind == Kind::number || node.kind == Kind::integer) names.insert(node.name);
+  for (const KeyNode& child : node.children) addNumbers(child, names);
+}
 
 // Words are longer than units.
 TEST(KeyUnits, EveryKeyWithAUnitEndingHasOne) {
-  NumberKeys io;
-  Scenario scenario;
-  describe(io, scenario);
+  std::set<std::string> names;
+  addNumbers(scenarioKeys(), names);
   for (const char* key : {"stiffness_N_m", "field_of_view_deg", "size_px", "speed_m_s", "slit_width_m", "k"})
-    EXPECT_TRUE(io.keys().contains(key)) << key << " was not walked over";
+    EXPECT_TRUE(names.contains(key)) << key << " was not walked over";
   const std::set<std::string> words = {"rotate_to"};
-  for (const std::string& key : io.keys()) {
-    const std::size_t last = key.rfind('_');
-    if (last == std::string::npos || key.size() - last > 4 || words.contains(key)) continue;
-    EXPECT_NE(summaryUnit(key), "1") << key << ": its ending is not in base/summary_unit.cpp";
+  for (const std::string& name : names) {
+    const std::size_t last = name.rfind('_');
+    if (last == std::string::npos || name.size() - last > 4 || words.contains(name)) continue;
+    EXPECT_NE(summaryUnit(name), "1") << name << ": its ending is not in base/summary_unit.cpp";
   }
 }
 

@@ -59,6 +59,13 @@ TEST(Tissues, FillWhatTheFileLeavesOutAndNothingElse) {
   EXPECT_EQ(with("{model: hunt_crossley}").force[0].coefficients.k, 200) << "the law's own default";
 }
 
+TEST(Tissues, AreMarkedWhereTheSizeOfTheForceIsThatOfAWholeProbe) {
+  EXPECT_TRUE(isOfWholeProbe(with("{model: hunt_crossley, tissue: pig_liver_1}").force[0]));
+  EXPECT_TRUE(isOfWholeProbe(with("{model: hunt_crossley, tissue: pig_liver_1, n: 1.5}").force[0]));
+  EXPECT_FALSE(isOfWholeProbe(with("{model: hunt_crossley, tissue: pig_liver_1, k: 3}").force[0]));
+  EXPECT_FALSE(isOfWholeProbe(with("{model: hunt_crossley, k: 6.08e5}").force[0]));
+}
+
 // The resolved scenario has the numbers and the name, and reads back to the same, its own numbers included.
 TEST(Tissues, AreStoredWithTheNumbersThatWereUsed) {
   const std::string text =

@@ -57,7 +57,7 @@ TEST(Tolerances, BadOnesAreNamedWithTheirLine) {
   EXPECT_NE(errorOf("format: 1\ntolerances:\n  - {quantity: force, absolut: 1}\n").find(".yaml:3: "),
             std::string::npos);
   EXPECT_NE(errorOf("format: 1\ntolerances:\n  - {quantity: force, absolute: -1}\n")
-                .find(".yaml:3: absolute is -1"),
+                .find(".yaml:3: tolerances.0.absolute is -1, expected a number of at least 0"),
             std::string::npos);
   EXPECT_NE(errorOf("format: 1\ntolerances:\n  - {absolute: 1}\n").find("quantity"), std::string::npos);
   EXPECT_NE(errorOf("format: 1\ntolerances:\n  - {quantity: force, relative: .nan}\n"), "");

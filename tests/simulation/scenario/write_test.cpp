@@ -318,7 +318,7 @@ TEST(Configs, EveryFixtureIsCertifiedAndNamesTheMethod) {
   }
 }
 
-/// METHOD M1: the tool's lower face starts 6 mm above the sphere's top and ends 25 mm below it.
+/// contact/METHOD.md 1: the tool's lower face starts 6 mm above the sphere's top and ends 25 mm below it.
 void expectPressedFrom6To25mm(const Scenario& s) {
   const double radius_m = std::get<SphereShape>(s.bodies.at(0).shape).radius_m;
   const double top_m = s.bodies[0].position_m.y() + radius_m;

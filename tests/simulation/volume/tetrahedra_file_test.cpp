@@ -121,14 +121,14 @@ void expectTheTwo(const BoundedVolume& volume, const std::string& name) {
 }
 
 TEST(TetrahedraFile, IsReadFromEachFormatAsText) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (const auto& [name, text] :
        {std::pair("two.msh", kGmsh2), std::pair("four.MSH", kGmsh4), std::pair("grid.vtk", kVtk)})
     expectTheTwo(readTetrahedra(folder.write(name, text), 1e-3), name);
 }
 
 TEST(TetrahedraFile, IsReadFromEachFormatInBinary) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   folder.write("text.msh", kGmsh2);
   const std::string folder_name = folder.path().string();
   const std::string script =
@@ -154,7 +154,7 @@ TEST(TetrahedraFile, IsReadFromEachFormatInBinary) {
 }
 
 TEST(TetrahedraFile, IsRefusedWithALineWhereItIsBad) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const std::string two = kGmsh2;
   const auto replaced = [&](const std::string& from, const std::string& to) {
     std::string text = two;

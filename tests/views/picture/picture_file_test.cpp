@@ -40,7 +40,7 @@ Image decoded(const fs::path& file) {
 }
 
 TEST(PictureFile, HoldsEveryPixel) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   for (const auto& [width_px, height_px] : {std::pair{1, 1}, {31, 7}, {640, 480}}) {
     const Image image = gradient(width_px, height_px);
     writePng(folder / "a.png", image);
@@ -52,7 +52,7 @@ TEST(PictureFile, HoldsEveryPixel) {
 }
 
 TEST(PictureFile, SamePictureSameBytesAndNothingElseIsLeft) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writePng(folder / "a.png", gradient(50, 40));
   writePng(folder / "b.png", gradient(50, 40));
   writePng(folder / "b.png", gradient(50, 40));  // replaces
@@ -61,7 +61,7 @@ TEST(PictureFile, SamePictureSameBytesAndNothingElseIsLeft) {
 }
 
 TEST(PictureFile, WhatCannotBeWrittenIsOneLineAndLeavesNothing) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   try {
     writePng(folder / "no/a.png", gradient(2, 2));
     FAIL() << "no error";

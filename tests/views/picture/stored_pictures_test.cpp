@@ -48,7 +48,7 @@ class StoredPicturesTest : public testing::Test {
     return cut;
   }
 
-  TemporaryFolder folder_;
+  ScratchFolder folder_;
   PictureSettings settings_;
 };
 

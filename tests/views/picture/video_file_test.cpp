@@ -54,7 +54,7 @@ std::string decoded(const fs::path& file) {
 class VideoKind : public testing::TestWithParam<std::string> {};
 
 TEST_P(VideoKind, SamePicturesSameBytesAndTheirColours) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const fs::path file = folder / ("a: b." + GetParam());
   writeVideo(file, GetParam());
   const std::string first = bytesOf(file);
@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(Kinds, VideoKind, testing::ValuesIn(videoKinds()),
                          [](const auto& tested) { return tested.param; });
 
 TEST(VideoFile, DroppedBeforeItsEndLeavesNothing) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   {
     VideoFile video(folder / "a.mp4", programOnPath("ffmpeg").value(), {"mp4", 33, 25, 10}, -1);
     video.add(squareAt(0));
@@ -87,7 +87,7 @@ TEST(VideoFile, DroppedBeforeItsEndLeavesNothing) {
 
 TEST(VideoFile, WhatCannotBeWrittenIsSaidInFfmpegsWords) {
   std::signal(SIGPIPE, SIG_IGN);
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto write = [&] { writeVideo(folder / "no/a.mp4", "mp4"); };
   try {
     write();

@@ -1,9 +1,11 @@
 """Report pages in headless Chromium, at desktop and phone width: browser_test.py FISSURE MAKE_SWEEP [--keep FOLDER]
 
 No message on the console, nothing wider than the window, every plot drawn, and one time for plots, frames and keys. Of a
-sweep: a brush on one axis shows in all views, keys walk over the maps, and lists of runs can be chosen.
+sweep: a brush on one axis shows in all views, keys walk over the maps, and lists of runs can be chosen. Of a history of
+benchmarks: steps, machines and counters.
 """
 import argparse
+import json
 import pathlib
 import subprocess
 import sys
@@ -308,6 +310,49 @@ def check_sweep_page(driver, page, width, keep):
         driver.save_screenshot(str(pathlib.Path(keep) / f"{page.stem}_{width}.png"))
 
 
+def check_history_page(driver, page, width, keep):
+    """Ten commits on one machine, three on another; a step at the seventh; a file that is none."""
+    open_at(driver, page, width)
+    where = f"history at {width}"
+    text = driver.execute_script("return document.body.innerText")
+    for words in ("torn.json is not shown: no whole JSON", "2 machines", "10 commits", "+20", "</script><b>Cpu</b>",
+                  "rays 64 \u2192 70", "p < 0.02"):
+        check(words in text, f"{where}: does not say {words}")
+    inks = driver.execute_script(INK)
+    check(all(ink > 500 for _, ink in inks), f"{where}: empty plots: {inks}")
+    check(len(driver.execute_script("return [...document.querySelectorAll('.steps tbody tr')]")) == 1, f"{where}: one step")
+    check(driver.title.startswith("history"), f"{where}: title {driver.title}")
+    shown = "return [...document.querySelectorAll('.plot')].filter(one => !one.hidden && !one.closest('section').hidden).length"
+    check(driver.execute_script(shown) == 2, f"{where}: two plots")
+    driver.execute_script("document.getElementById('only-steps').click()")
+    check(driver.execute_script(shown) == 1, f"{where}: one plot with a step")
+    over = driver.execute_script("const o = document.querySelector('.plot:not([hidden]) .u-over'); o.scrollIntoView({block: 'center'});"
+                                 "const r = o.getBoundingClientRect(); return [r.left + 2, r.top + r.height / 2]")
+    driver.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": "mouseMoved", "x": over[0], "y": over[1]})
+    time.sleep(0.2)
+    read = driver.execute_script("return document.querySelector('.plot:not([hidden]) .read').innerText")
+    check("2026-01-01" in read and "100 µs" in read, f"{where}: under the pointer {read}")
+    check_width_and_console(driver, where)
+    if keep:
+        driver.save_screenshot(str(pathlib.Path(keep) / f"history_{width}.png"))
+
+
+def make_history(program, folder):
+    (folder / "history").mkdir()
+    for day in range(1, 11):
+        for cpu in ("</script><b>Cpu</b>", "Cpu B")[: 2 if day in (1, 5, 9) else 1]:
+            step_us = 100 * (1.2 if day >= 7 else 1)
+            benchmarks = [{"name": name, "time_us": [time_us * scale for scale in (0.99, 0.995, 1, 1.005, 1.01)],
+                           "counters": {"rays": 70 if day >= 7 else 64}}
+                          for name, time_us in (("step/press", step_us if cpu != "Cpu B" else 90), ("detect/128", 7))]
+            found = {"format": "fissure-bench", "format_version": 1, "commit": f"{day:07x}" + 33 * "0", "modified": False,
+                     "commit_date": f"2026-01-{day:02}T12:00:00Z", "machine": {"cpu": cpu, "cores": 2},
+                     "build": {"type": "Release", "compiler": "c++ 12", "flags": "-O3"}, "benchmarks": benchmarks}
+            (folder / f"history/{day}-{len(cpu)}.json").write_text(json.dumps(found))
+    (folder / "history/torn.json").write_text("{")
+    subprocess.run([program, "report", "history"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
 def make_sweeps(program, make_sweep, folder):
     for design, runs in (("grid", "378"), ("sobol", "240"), ("failed", "12"), ("lost", "12")):
         subprocess.run([make_sweep, f"{design}.h5", design, runs], cwd=folder, check=True)
@@ -316,10 +361,10 @@ def make_sweeps(program, make_sweep, folder):
 
 def make_pages(program, folder):
     (folder / "press.yaml").write_text(SCENARIO)
-    (folder / "results").mkdir()
-    (folder / "results" / "broken.h5").write_text("no result")
-    for words in [["run", "press.yaml", "-o", "results/press.h5"], ["report", "results/press.h5", "-o", "page.html"],
-                  ["report", "results", "-o", "index.html"]]:
+    (folder / "out").mkdir()
+    (folder / "out" / "broken.h5").write_text("no result")
+    for words in [["run", "press.yaml", "-o", "out/press.h5"], ["report", "out/press.h5", "-o", "page.html"],
+                  ["report", "out", "-o", "index.html"]]:
         subprocess.run([program, *words], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 
@@ -333,6 +378,7 @@ def main():
         folder = pathlib.Path(name)
         program = str(pathlib.Path(arguments.program).resolve())
         make_pages(program, folder)
+        make_history(program, folder)
         make_sweeps(program, str(pathlib.Path(arguments.make_sweep).resolve()), folder)
         driver = browser()
         try:
@@ -343,6 +389,7 @@ def main():
                     check_sweep_page(driver, folder / f"{design}.html", width, arguments.keep)
                 check_failed_page(driver, folder / "failed.html", width, arguments.keep)
                 check_lost_page(driver, folder / "lost.html", width)
+                check_history_page(driver, folder / "history/index.html", width, arguments.keep)
         finally:
             driver.quit()
     for problem in problems:

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Both pipelines of the sample run, "paper_method" and "default".
-fs::path writeSample(const TemporaryFolder& folder, const SampleRun& run,
+fs::path writeSample(const ScratchFolder& folder, const SampleRun& run,
                      const std::optional<RunStatus>& second = std::nullopt) {
   std::vector<PartResult> parts;
   for (const PipelineSettings& entry : run.scenario.pipelines) {
@@ -60,7 +60,7 @@ std::vector<std::size_t> rowsOf(const PageJson& series) {
 
 // penetration_depth = row mm, missing in row 1; contact_count = 3 row; force = 100 law + row + axis/10.
 TEST(PageData, SeriesAreTheResults) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, false)), "fissure test", "");
   EXPECT_EQ(page["title"], "sample");
   ASSERT_EQ(page["runs"].size(), 2u);
@@ -92,7 +92,7 @@ TEST(PageData, SeriesAreTheResults) {
 }
 
 TEST(PageData, OnlyWhatIsPresentIsShown) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, false)), "fissure test", "");
   EXPECT_TRUE(page["frames"].is_null());
   std::set<std::string> ids;
@@ -102,7 +102,7 @@ TEST(PageData, OnlyWhatIsPresentIsShown) {
 
 // The sample's worst depth is 250 mm: that its run has finished is nothing good.
 TEST(PageData, ARunThatFinishedIsJudgedByItsMeasures) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const fs::path file = writeSample(folder, makeSampleRun(5, false));
   const PageJson deep = {
       {"status", "finished"}, {"finished", true}, {"verdict", "250.00 mm inside"}, {"grade", "bad"}};
@@ -112,7 +112,7 @@ TEST(PageData, ARunThatFinishedIsJudgedByItsMeasures) {
 }
 
 TEST(PageData, FramesAreWebpPictures) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true)), "fissure test", "");
   ASSERT_EQ(page["frames"]["runs"].size(), 2u);
   EXPECT_EQ(page["frames"]["stored"], 8);
@@ -123,7 +123,7 @@ TEST(PageData, FramesAreWebpPictures) {
 }
 
 TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const RunStatus crashed = {RunEnd::crashed, "killed by signal 11 at step 3"};
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true), crashed), "fissure test", "");
   ASSERT_FALSE(page["warnings"].empty());
@@ -137,7 +137,7 @@ TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
 
 TEST(PageData, OneRowAndNone) {
   for (const std::size_t rows : {0u, 1u}) {
-    const TemporaryFolder folder;
+    const ScratchFolder folder;
     const PageJson page = resultPage(writeSample(folder, makeSampleRun(rows, false)), "fissure test", "");
     EXPECT_EQ(page["runs"][0]["times"]["count"], rows);
     EXPECT_EQ(hasWarning(page, "it left no series", true), rows == 0);
@@ -145,13 +145,13 @@ TEST(PageData, OneRowAndNone) {
 }
 
 TEST(PageData, TheSameResultGivesTheSamePage) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const fs::path file = writeSample(folder, makeSampleRun(500, true));
   EXPECT_EQ(pageText(resultPage(file, "p", "")), pageText(resultPage(file, "p", "")));
 }
 
 TEST(PageData, APartIsNoResult) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeSamplePart(folder / "a.part", makeSampleRun(5, false), "default");
   EXPECT_THROW(resultPage(folder / "a.part", "p", ""), InputError);
 }
@@ -182,7 +182,7 @@ void writeNoisyPart(const fs::path& path, const Scenario& scenario, const Scene&
                                           .pipeline = scenario.pipelines[entry],
                                           .scene = scene,
                                           .layout = layout,
-                                          .expected_rows = rows});
+                                          .expected_steps = static_cast<std::int64_t>(rows) - 1});
   std::uint32_t noise = static_cast<std::uint32_t>(entry) + 1;
   const auto next = [&] { return noise = noise * 1664525u + 1013904223u; };  // Numerical Recipes
   RecordRow row(layout.columns());
@@ -200,7 +200,7 @@ void writeNoisyPart(const fs::path& path, const Scenario& scenario, const Scene&
 
 // The numbers: four pipelines, 5,000 steps, below 2 MB. The time is only printed: machines differ.
 TEST(PageData, FourNoisyRunsOf5000StepsStayBelow2MB) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SampleRun run = makeSampleRun(1, true);
   run.scenario.record.snapshots_every_s.reset();
   run.scenario.record.frames = FrameSettings{0.2, 320, 240, std::nullopt};

@@ -100,7 +100,7 @@ std::string complaintAboutVideo(const std::filesystem::path& file) {
 }
 
 TEST(Video, Mp4AndWebmUpToALimit) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto write = [&](const std::string& name, const std::string& bytes) {
     std::ofstream(folder / name, std::ios::binary) << bytes;
     return folder / name;

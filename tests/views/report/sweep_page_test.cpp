@@ -107,7 +107,7 @@ void writeFailing(const std::filesystem::path& path) {
 }
 
 TEST(SweepFailures, SameReasonsAreOneWithTheirPlaceInTheAxes) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeFailing(folder / "sweep.h5");
   const SweepEnds ends = sweepEnds(SweepTable(folder / "sweep.h5"));
   const PageJson failures = failuresJson(ends);
@@ -145,7 +145,7 @@ PageJson placesOfTexts(const std::filesystem::path& path, int runs, const std::f
 }
 
 TEST(SweepFailures, AxesOfTextsSayAtWhichValues) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   const auto places = [&](int runs, const std::function<bool(int)>& fail) {
     return placesOfTexts(folder / "sweep.h5", runs, fail);
   };
@@ -159,7 +159,7 @@ TEST(SweepFailures, AxesOfTextsSayAtWhichValues) {
 }
 
 TEST(SweepPage, HasEveryRunAndHowItEnded) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeFailing(folder / "sweep.h5");
   const PageJson page = sweepPage(folder / "sweep.h5", "fissure test");
   EXPECT_EQ(page.at("kind"), "sweep");
@@ -181,7 +181,7 @@ TEST(SweepPage, HasEveryRunAndHowItEnded) {
 }
 
 TEST(SweepPage, AxesHaveTheUnitsOfTheirNamesAndTextsNone) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout;
   layout.axes = {{"stiffness_N_m", "tools.spatula.coupling.stiffness_N_m", true},
                  {"start_m", "tools.spatula.motion.start_m", false}};
@@ -199,7 +199,7 @@ TEST(SweepPage, AxesHaveTheUnitsOfTheirNamesAndTextsNone) {
 // sample_sweep.h: in its pipeline "default" the depth at the first instant is the run's number, 0, 2, 4
 // ... 40.
 TEST(SweepPage, CurvesHaveQuantilesAndSingleRuns) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeSampleSweep(folder / "sweep.h5", sampleSweep(42, 200));
   const PageJson page = sweepPage(folder / "sweep.h5", "fissure test");
   EXPECT_FALSE(page.at("whole_grid")) << "21 of 5 x 5 points";
@@ -223,7 +223,7 @@ TEST(SweepPage, CurvesHaveQuantilesAndSingleRuns) {
 }
 
 TEST(SweepPage, BestFitsKeepTheirCurves) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = sampleSweep(6000, 96);
   layout.metrics[1].name = "misfit_N";  // three times the run's number
   layout.curves.pop_back();
@@ -243,7 +243,7 @@ TEST(SweepPage, BestFitsKeepTheirCurves) {
 
 // As many quantities as a summary of many laws and tools has.
 TEST(SweepPage, TenThousandRunsStayBelowFiveMegabytesAndMoreAreSampled) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   SweepTableLayout layout = sampleSweep(10400, 40);
   layout.metrics.clear();
   for (int i = 0; i < 60; ++i) layout.metrics.push_back({"value" + std::to_string(i) + "_N"});
@@ -266,7 +266,7 @@ TEST(SweepPage, TenThousandRunsStayBelowFiveMegabytesAndMoreAreSampled) {
 }
 
 TEST(SweepPage, OfNoRunsAndOfWhatIsNoSweep) {
-  const TemporaryFolder folder;
+  const ScratchFolder folder;
   writeSampleSweep(folder / "sweep.h5", sampleSweep(0, 3));
   EXPECT_EQ(sweepPage(folder / "sweep.h5", "").at("shown"), 0);
   EXPECT_THROW(sweepPage(folder / "none.h5", ""), InputError);
