@@ -23,11 +23,12 @@ std::vector<StabilityBoundary> boundariesOf(std::vector<ClassedPoint> points) {
   return found;
 }
 
-std::optional<double> nextPlace(const StabilityBoundary& boundary, double refine_to) {
+std::optional<double> nextPlace(const StabilityBoundary& boundary, double refine_to, bool whole_numbers) {
   const double below = boundary.below, above = boundary.above;
   if (!(above - below > refine_to * std::max(std::abs(below), std::abs(above)))) return std::nullopt;
   const double middle = below > 0 ? std::sqrt(below) * std::sqrt(above) : (below + above) / 2;
-  const std::optional<double> place = toReal(fmt::format("{:.5g}", middle));
+  const std::optional<double> place =
+      toReal(fmt::format("{:.5g}", whole_numbers ? std::round(middle) : middle));
   if (!place || !(below < *place && *place < above)) return std::nullopt;
   return place;
 }

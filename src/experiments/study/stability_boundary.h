@@ -26,7 +26,8 @@ struct StabilityBoundary {
 std::vector<StabilityBoundary> boundariesOf(std::vector<ClassedPoint> points);
 
 /// Where to look next: the geometric mean of both sides, or the arithmetic one where a side is not above 0,
-/// in five digits. No value where they differ by at most the share `refine_to` of the larger one.
-std::optional<double> nextPlace(const StabilityBoundary& boundary, double refine_to);
+/// in five digits, or the whole number next to it. No value where they differ by at most the share
+/// `refine_to` of the larger one, or no such number lies between them.
+std::optional<double> nextPlace(const StabilityBoundary& boundary, double refine_to, bool whole_numbers);
 
 }  // namespace fissure

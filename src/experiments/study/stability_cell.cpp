@@ -131,6 +131,27 @@ StabilityCell StabilityCells::cell(const std::vector<std::string>& values) const
   return cell;
 }
 
+bool StabilityCells::lastAxisIsWhole() const {
+  if (map_.axes.back().values || !map_.axes.back().multiplies.empty()) return false;
+  std::vector<std::string> values;
+  for (const StabilityAxis& axis : map_.axes) values.push_back(axisValues(axis).front());
+  const auto isTaken = [&](const std::string& value) {
+    values.back() = value;
+    try {
+      parseScenario(base_.composed, file_, axisOverrides(values));
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  };
+  // A place inside the range that no range check minds.
+  const std::vector<std::string> ends = axisValues(map_.axes.back());
+  const double first = *toReal(ends[0]), second = *toReal(ends[1]);
+  double between = first + 0.37 * (second - first);
+  if (between == std::round(between)) between = first + 0.41 * (second - first);
+  return isTaken(ends[0]) && !isTaken(formatReal(between));
+}
+
 /// What is valid in every value may still be refused as a whole.
 std::string StabilityCells::refusalOf(const StabilityCell& cell) const {
   LoadedScenario loaded = parseScenario(base_.composed, file_, cell.overrides);

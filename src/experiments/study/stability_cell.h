@@ -33,6 +33,9 @@ class StabilityCells {
   /// exactly one tool or with a motion that is no script which begins with a move at a speed.
   StabilityCell cell(const std::vector<std::string>& values) const;
 
+  /// Whether the scenario takes whole numbers only where the map's last axis is; never for listed values.
+  bool lastAxisIsWhole() const;
+
  private:
   std::vector<Override> axisOverrides(const std::vector<std::string>& values) const;
   void addTimes(StabilityCell& cell) const;

@@ -107,15 +107,20 @@ void StabilityStudy::addPanels(const StabilityMap& map) {
     if (std::find(known.begin(), known.end(), pipeline) == known.end())
       throw InputError(inFile(file), fmt::format("has no run \"{}\", which map {} names{}", pipeline,
                                                  map.name, didYouMean(pipeline, known)));
-    panels_.push_back({&map, pipeline, file, folder_ / map.name / pipeline, {}, {}});
+    panels_.push_back({&map, pipeline, file, folder_ / map.name / pipeline, false, {}, {}});
+    panels_.back().whole_numbers = cellsOf(panels_.back()).lastAxisIsWhole();
     addCells(panels_.back(), gridOf(map), 0);
   }
 }
 
+StabilityCells StabilityStudy::cellsOf(const StabilityPanel& panel) const {
+  return {baseOf(panel.scenario_file), panel.scenario_file, *panel.map, settings_.pressOf(*panel.map),
+          panel.pipeline};
+}
+
 void StabilityStudy::addCells(StabilityPanel& panel, const std::vector<std::vector<std::string>>& points,
                               int round) const {
-  const StabilityCells cells(baseOf(panel.scenario_file), panel.scenario_file, *panel.map,
-                             settings_.pressOf(*panel.map), panel.pipeline);
+  const StabilityCells cells = cellsOf(panel);
   auto runnable = static_cast<std::size_t>(
       std::count_if(panel.cells.begin(), panel.cells.end(),
                     [](const StabilityPanel::Cell& cell) { return cell.cell.refused.empty(); }));
@@ -212,7 +217,7 @@ std::size_t StabilityStudy::refine(StabilityPanel& panel, int round) const {
   panel.boundaries = boundariesOf(std::move(points));
   std::vector<std::vector<std::string>> wanted;
   for (const StabilityBoundary& boundary : panel.boundaries) {
-    const std::optional<double> place = nextPlace(boundary, settings_.refine_to);
+    const std::optional<double> place = nextPlace(boundary, settings_.refine_to, panel.whole_numbers);
     if (!place) continue;
     wanted.push_back(boundary.others);
     wanted.back().push_back(formatReal(*place));

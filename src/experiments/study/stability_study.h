@@ -19,6 +19,7 @@ struct StabilityPanel {
   std::string pipeline;
   std::filesystem::path scenario_file;  ///< as it is called from the working directory
   std::filesystem::path folder;         ///< of the sweep; its file is `<folder>.yaml`
+  bool whole_numbers = false;           ///< the last axis takes no others
   struct Cell {
     StabilityCell cell;
     std::size_t point = 0;                ///< of its sweep; cells that are refused are in none
@@ -59,6 +60,7 @@ class StabilityStudy {
   };
   void addPanels(const StabilityMap& map);
   const LoadedScenario& baseOf(const std::filesystem::path& file) const;
+  StabilityCells cellsOf(const StabilityPanel& panel) const;
   void addCells(StabilityPanel& panel, const std::vector<std::vector<std::string>>& points, int round) const;
   void classifyCells(StabilityPanel& panel) const;
   void judgeAlone(StabilityPanel& panel, int slots, ProgressDisplay& display) const;

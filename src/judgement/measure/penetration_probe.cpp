@@ -13,7 +13,8 @@ namespace {
 
 /// Series penetration_depth, inversion_aware_depth, passed_through, inverted_triangles, stand_off; their
 /// worst and last values as scalars. Scalars contact_steps and untouched_tools (Touch), sample_coverage_m and
-/// those of Soundness; steps_per_measurement where it is not 1.
+/// those of Soundness; steps_per_measurement where it is not 1. In steps between two measurements the series
+/// have no numbers, and contacts of the engine are noted.
 class PenetrationProbe : public Probe {
  public:
   /// Throws InputError as PenetrationMeter does.
@@ -28,7 +29,7 @@ class PenetrationProbe : public Probe {
   std::string untouchedTools() const;
 
   PenetrationMeter meter_;
-  int every_ = 1;  ///< steps between two samples
+  int every_ = 1;  ///< steps between two measurements
   Touch touch_;
   Soundness soundness_;
   std::vector<Soundness::BodyStep> body_steps_;
@@ -87,6 +88,7 @@ void PenetrationProbe::declare(RecordLayout& layout) {
 }
 
 void PenetrationProbe::sample(const State& state, RecordRow& row) {
+  if (!state.isOneOf(every_)) return touch_.addUnmeasured(state, meter_);
   last_ = meter_.measure(state);
   sampled_ = true;
   look(state);

@@ -11,7 +11,7 @@ std::vector<std::unique_ptr<Probe>> makeProbes(const Scenario& scenario, const S
   std::vector<std::unique_ptr<Probe>> probes;
   if (!scene.tools.empty()) {
     const int every = stepsPerMeasurement(scenario.measure);
-    probes.push_back(makeThinnedProbe(makePenetrationProbe(scene, scenario.measure), every));
+    probes.push_back(makePenetrationProbe(scene, scenario.measure));
     if (scenario.measure.certify) probes.push_back(makeThinnedProbe(makeCertificateProbe(scene), every));
     probes.push_back(makeToolProbe(scene, scenario.time.step_s));
     probes.push_back(makeContactProbe(scene));

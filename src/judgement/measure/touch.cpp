@@ -13,9 +13,16 @@ Touch::Touch(const Scene& scene) {
 }
 
 void Touch::add(const State& state, const PenetrationMeter& meter, const Penetration& found) {
-  const std::span<const std::uint8_t> contacts = state.contact.vertex_contact;
   // Negated, so that a depth that is no number counts.
-  const bool inside = !(found.depth_m <= 0) || found.passed_through > 0;
+  add(state, meter, !(found.depth_m <= 0) || found.passed_through > 0);
+}
+
+void Touch::addUnmeasured(const State& state, const PenetrationMeter& meter) {
+  add(state, meter, false);
+}
+
+void Touch::add(const State& state, const PenetrationMeter& meter, bool inside) {
+  const std::span<const std::uint8_t> contacts = state.contact.vertex_contact;
   for (Body& body : bodies_) {
     // Which body a tool is in without a contact, the meter does not say: any may be.
     body.now = inside || (contacts.empty() && state.contact.contact_count > 0);

@@ -19,6 +19,9 @@ class Touch {
 
   /// Takes the next step; `found` is the measurement of `meter` in it.
   void add(const State& state, const PenetrationMeter& meter, const Penetration& found);
+  /// The same for a step that `meter` has not measured: contacts that the engine reports are seen, a tool
+  /// that is in tissue without one is not.
+  void addUnmeasured(const State& state, const PenetrationMeter& meter);
 
   long long steps() const { return steps_; }  ///< number of steps in which any tool touched tissue
   /// Whether a tool touches the body in the last step, and whether any has touched it so far.
@@ -37,6 +40,7 @@ class Touch {
     ToolShape shape;
     bool met = false;
   };
+  void add(const State& state, const PenetrationMeter& meter, bool inside);
   void noteTools(const State& state, const PenetrationMeter& meter);
 
   std::vector<Body> bodies_;

@@ -29,7 +29,7 @@ TEST(StabilityBoundary, HalvingByFactorsFindsAThreshold) {
     int runs = 0;
     for (std::vector<StabilityBoundary> found = boundariesOf(points);; found = boundariesOf(points)) {
       ASSERT_EQ(found.size(), 1u);
-      const auto next = nextPlace(found[0], 0.05);
+      const auto next = nextPlace(found[0], 0.05, false);
       if (!next) {
         EXPECT_LE(found[0].below, threshold);
         EXPECT_GT(found[0].above, threshold);
@@ -43,10 +43,16 @@ TEST(StabilityBoundary, HalvingByFactorsFindsAThreshold) {
 }
 
 TEST(StabilityBoundary, PlacesThatAreNotAboveZeroAreHalvedByDifferences) {
-  EXPECT_EQ(nextPlace({{}, 0, 8, kStable, kDeep}, 0.05), 4);
-  EXPECT_EQ(nextPlace({{}, -8, -2, kStable, kDeep}, 0.05), -5);
-  EXPECT_FALSE(nextPlace({{}, 1, 1.05, kStable, kDeep}, 0.05));
-  EXPECT_FALSE(nextPlace({{}, 1, std::nan(""), kStable, kDeep}, 0.05));
+  EXPECT_EQ(nextPlace({{}, 0, 8, kStable, kDeep}, 0.05, false), 4);
+  EXPECT_EQ(nextPlace({{}, -8, -2, kStable, kDeep}, 0.05, false), -5);
+  EXPECT_FALSE(nextPlace({{}, 1, 1.05, kStable, kDeep}, 0.05, false));
+  EXPECT_FALSE(nextPlace({{}, 1, std::nan(""), kStable, kDeep}, 0.05, false));
+}
+
+TEST(StabilityBoundary, WholeNumbersAreHalvedToWholeNumbers) {
+  EXPECT_EQ(nextPlace({{}, 1, 8, kStable, kDeep}, 0.05, true), 3);
+  EXPECT_EQ(nextPlace({{}, 0, 3, kStable, kDeep}, 0.05, true), 2);
+  EXPECT_FALSE(nextPlace({{}, 2, 3, kStable, kDeep}, 0.05, true));
 }
 
 }  // namespace

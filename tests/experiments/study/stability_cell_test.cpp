@@ -89,6 +89,32 @@ TEST(StabilityCell, AStarStandsForThePipelineAndLawsAreSimulatedForThemselves) {
   EXPECT_TRUE(has_model);
 }
 
+TEST(StabilityCell, AnAxisOverWholeNumbersIsKnown) {
+  const LoadedScenario base = loadScenario(kScene);
+  const auto isWhole = [&](const std::string& path, AxisRange range) {
+    StabilityMap map;
+    map.axes = {{path, {}, {}, range, {}}};
+    return StabilityCells(base, kScene, map, {100, 10, 0.4, 0.1}, "swept").lastAxisIsWhole();
+  };
+  EXPECT_TRUE(isWhole("bodies.ball.shape.subdivisions", {0, 4, 3}));
+  EXPECT_TRUE(isWhole("tools.blade.nodes.resolution.0", {2, 32, 2}));
+  EXPECT_FALSE(isWhole("bodies.ball.mass_kg", {1, 3, 3}));
+  EXPECT_FALSE(isWhole("world.gravity_m_s2.1", {-981, 0, 4}));
+}
+
+// Every step has a row and is measured, whatever the scenario says: classes are those of all steps.
+TEST(StabilityCell, EveryStepIsARow) {
+  const LoadedScenario base =
+      loadScenario(kScene, {{"record", "{every: 10, snapshots_every_s: 0.1}"}, {"measure.every", "5"}});
+  StabilityMap map;
+  map.axes = {axis("bodies.ball.mass_kg")};
+  const StabilityCell cell = StabilityCells(base, kScene, map, {100, 10, 0.4, 0.1}, "swept").cell({"1"});
+  const Scenario scenario = parseScenario(base.composed, kScene, cell.overrides).scenario;
+  EXPECT_EQ(stepsPerRow(scenario.record, scenario.measure), 1);
+  EXPECT_EQ(stepsPerMeasurement(scenario.measure), 1);
+  EXPECT_FALSE(scenario.record.snapshots_every_s);
+}
+
 TEST(StabilityCell, WhatTheChecksRefuseIsACellWithAReason) {
   const fs::path scene = kScene.parent_path() / "ball_elastic.yaml";
   const LoadedScenario base = loadScenario(scene);

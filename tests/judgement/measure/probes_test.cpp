@@ -218,6 +218,24 @@ TEST_F(ProbesTest, InvertedTissueIsUnsoundBeforeTheFirstContact) {
   EXPECT_EQ(count("first_unsound_step"), 1);
 }
 
+// With a measurement of every second step: a touch in between is a touch, and what it turns inside out is not
+// the tissue's own doing.
+TEST_F(ProbesTest, AContactBetweenTwoMeasurementsIsNoInversionOfItsOwn) {
+  scenario_.measure.every = 2;
+  start();
+  step();
+  state_.contact.contact_count = 1;
+  step();
+  state_.contact.contact_count = 0;
+  const Mesh& rest = scene_.bodies[0].rest;
+  state_.positions_m[static_cast<std::size_t>(rest.faces.front()[0])] *= -1.2;  // turns a few triangles over
+  step();
+  EXPECT_GT(value("inverted_triangles"), 0);
+  EXPECT_LT(2 * value("inverted_triangles"), static_cast<double>(rest.faces.size()));
+  EXPECT_EQ(count("contact_steps"), 1);
+  EXPECT_EQ(count("unsound_steps"), 0);
+}
+
 TEST_F(ProbesTest, ThePeakOfTheReaction) {
   start();
   for (const double y : {1.0, -5.0, 2.0}) {

@@ -63,5 +63,16 @@ TEST_F(TouchTest, AToolInTissueTouchesThoughNoContactIsReported) {
   EXPECT_EQ(touch_->untouchedTools(), Names{"right"});
 }
 
+// Without a look at depths, what the engine reports still counts.
+TEST_F(TouchTest, AContactBetweenTwoMeasurementsIsSeen) {
+  state_.contact.contact_count = 1;
+  state_.contact.vertex_contact[0] = 1;
+  touch_->addUnmeasured(state_, meter_);
+  EXPECT_EQ(touch_->steps(), 1);
+  EXPECT_TRUE(touch_->wasTouched(0));
+  EXPECT_FALSE(touch_->wasTouched(1));
+  EXPECT_EQ(touch_->untouchedTools(), Names{"right"});
+}
+
 }  // namespace
 }  // namespace fissure::touch_test
