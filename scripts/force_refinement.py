@@ -1,13 +1,13 @@
 #!/usr/bin/env python3
-"""What the total force becomes as the tissue's mesh is refined, for the paper's law and those beyond it.
+"""What each total force becomes as the tissue's mesh is refined: four laws, four ways to sum them, the reaction and the pressure.
 
     /usr/bin/python3 scripts/force_refinement.py
 
-Presses the spatula of configs/spatula_press.yaml to one depth into spheres of 128 to 8,192 triangles, with the tool's nodes
-as dense against the tissue's edges on every mesh, and compares the force held at the end. The coefficients of the laws per
-area are the paper's over the mean triangle of the coarsest mesh, so that both begin at about the same force. Beside it, from a test,
-the laws alone on a prescribed deformation. Writes results/force_refinement/README.md (tables), refinement.{csv,png} and
-prescribed.{csv,png}.
+Presses a blade to one depth into balls of 128 to 8,192 triangles, on a shell of springs (configs/spatula_press.yaml) and on elastic
+tissue (configs/studies/scenes/tradeoff_ball.yaml), with the tool's nodes as dense against the tissue's edges on every mesh, and compares
+the forces held at the end. The coefficients of the laws per area are the others' over the mean triangle of the coarsest mesh, so that both
+begin at about the same force. Beside it, from a test, the laws alone on a prescribed deformation. Writes results/force_refinement/README.md
+(tables), shell.csv, elastic.csv, refinement.png and prescribed.{csv,png}.
 """
 import argparse
 import csv
@@ -27,70 +27,107 @@ import matplotlib.pyplot as plt
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = "/usr/bin/python3 scripts/force_refinement.py"
-K, LAMBDA, N = 200, 50, 1.3
 SPHERE_M2 = 4 * math.pi * 0.03**2
 AREA_M2 = SPHERE_M2 / 128
-LAWS = {
-    "paper": {"k": K, "lambda": LAMBDA},
-    "per_area": {"k": K / AREA_M2, "lambda": LAMBDA / AREA_M2, "per_area": True},
-    "corotated": {"k": K, "lambda": LAMBDA, "deformation": "corotated"},
-    "corotated_per_area": {"k": K / AREA_M2, "lambda": LAMBDA / AREA_M2, "deformation": "corotated", "per_area": True},
+# Coefficients a triangle, which give about half a newton each at 10 mm; rates are zero where forces are held.
+MODELS = {
+    "hunt_crossley": {"k": 200, "lambda": 50, "n": 1.3},
+    "linear_elastic": {"k": 50},
+    "kelvin_voigt": {"k": 50, "c": 0.1},
+    "exponential": {"k": 0.3, "a": 100, "c": 0.1},
 }
-COLOURS = {"paper": "#D55E00", "per_area": "#0072B2", "corotated": "#E69F00", "corotated_per_area": "#009E73"}
+WAYS = {
+    "paper": {},
+    "per_area": {"per_area": True},
+    "corotated": {"deformation": "corotated"},
+    "corotated_per_area": {"deformation": "corotated", "per_area": True},
+}
+COLOURS = {"paper": "#D55E00", "per_area": "#0072B2", "corotated": "#E69F00", "corotated_per_area": "#009E73", "reaction": "black"}
 TEST = "PerArea.ConvergesToTheSurfaceIntegralWhileThePapersSumGrows"
 HELD_S = 0.1  # of the hold at the end, averaged
 
 
-def run(subdivisions):
+def of_law(model, way):
+    per_area = {name: value / AREA_M2 if name in ("k", "lambda", "c") else value for name, value in MODELS[model].items()}
+    coefficients = per_area if "per_area" in way else MODELS[model]
+    return {"name": f"{model}_{way}", "model": model} | coefficients | WAYS[way]
+
+
+LAWS = [of_law(model, way) for model in MODELS for way in WAYS]
+SHELL = {"scene": "configs/spatula_press.yaml", "body": "sphere", "tool": "spatula", "pipeline": "fukuhara", "settings": {}}
+ELASTIC = {"scene": "configs/studies/scenes/tradeoff_ball.yaml", "body": "ball", "tool": "blade", "pipeline": "swept",
+           "settings": {"tools.blade.motion.segments.1.hold_s": 0.3}}
+
+
+def run(tissue, subdivisions):
     nodes = 8 * 2 ** (subdivisions - 2)
-    laws = [{"name": name, "model": "hunt_crossley", "n": N} | law for name, law in LAWS.items()]
     settings = {
-        "bodies.sphere.shape.subdivisions": subdivisions,
-        "tools.spatula.nodes.resolution": f"[{nodes}, {nodes}]",
-        "force": json.dumps(laws),
-        "record.snapshots_every_s": 1,
-    }
+        f"bodies.{tissue['body']}.shape.subdivisions": subdivisions,
+        f"tools.{tissue['tool']}.nodes.resolution": f"[{nodes}, {nodes}]",
+        "force": json.dumps(LAWS),
+        "record.snapshots_every_s": 10,
+    } | tissue["settings"]
     with tempfile.TemporaryDirectory() as folder:
-        command = [ROOT / "build/release/fissure", "run", ROOT / "configs/spatula_press.yaml", "-o", f"{folder}/result.h5"]
-        command += ["--no-frames", "--no-expect", "--pipeline", "fukuhara"]
+        command = [ROOT / "build/release/fissure", "run", ROOT / tissue["scene"], "-o", f"{folder}/result.h5"]
+        command += ["--no-frames", "--no-expect", "--pipeline", tissue["pipeline"]]
         for path, value in settings.items():
             command += ["--set", f"{path}={value}"]
         subprocess.run(command, stdout=subprocess.DEVNULL, check=True)
         with h5py.File(f"{folder}/result.h5") as file:
-            return held(file["pipelines/fukuhara"], subdivisions, nodes)
+            return held(file["pipelines"][tissue["pipeline"]], subdivisions)
 
 
-def held(data, subdivisions, nodes):
+def held(data, subdivisions):
     """One row: means over the end of the hold."""
     time = data["time"][:]
     end = time > time[-1] - HELD_S
-    row = {"triangles": 8 * 4**subdivisions, "nodes": f"{nodes} x {nodes}"}
+    row = {"triangles": 8 * 4**subdivisions}
     row["worst_depth_mm"] = 1000 * data["penetration_depth"][:].max()
     row["colliding_triangles"] = data["colliding_triangles"][:][end].mean()
     row["colliding_area_cm2"] = 1e4 * SPHERE_M2 * row["colliding_triangles"] / row["triangles"]
+    for way in ("paper", "corotated"):
+        index = [law["name"] for law in LAWS].index(f"hunt_crossley_{way}")
+        row[f"{way}_mean_deformation_mm"] = 1000 * data["deformation_mean"][index][end].mean()
     for index, law in enumerate(LAWS):
-        row[f"{law}_N"] = np.linalg.norm(data["force"][index][end].mean(axis=0))
-    for law in ("paper", "corotated"):
-        row[f"{law}_mean_deformation_mm"] = 1000 * data["deformation_mean"][list(LAWS).index(law)][end].mean()
-    if not all(np.isfinite(value) for value in row.values() if not isinstance(value, str)):
+        row[f"{law['name']}_N"] = np.linalg.norm(data["force"][index][end].mean(axis=0))
+    row["reaction_N"] = np.linalg.norm(data["reaction_force"][:][end].mean(axis=0))
+    if "max_pressure" in data:
+        row["max_pressure_kPa"] = 1e-3 * data["max_pressure"][:][end].mean()
+    if not all(np.isfinite(value) for value in row.values()):
         raise SystemExit(f"{row['triangles']} triangles: not finite: {row}")
     return row
 
 
+def convergence(values):
+    """What the last three of a series under halving of the edges say: "grows", "uneven", or order, limit and distance to it in percent."""
+    before, last = values[-2] - values[-3], values[-1] - values[-2]
+    if abs(last) >= abs(before):
+        return ("grows" if values[-1] > values[-2] > values[-3] else "no limit"), "", ""
+    if last * before < 0:
+        return "uneven", "", ""
+    order = math.log2(before / last)
+    limit = values[-1] + last / (2**order - 1)
+    return f"{order:.2f}", f"{limit:.4g}", f"{100 * abs(values[-1] / limit - 1):.1f} %" if limit else ""
+
+
 def table(rows):
-    lines = ["| triangles | nodes a face | colliding | their area | mean deformation, paper | corotated | " + " | ".join(LAWS) + " |"]
-    lines += ["|---|---|---|---|---|---|" + "---|" * len(LAWS)]
-    last = None
+    """A row for each total: its value on each mesh, and what the last three say."""
+    lines = ["| total | " + " | ".join(f"{row['triangles']:,}" for row in rows) + " | order | limit | from it |"]
+    lines += ["|---|" + "---|" * (len(rows) + 3)]
+    totals = [(f"{law['name']}_N", f"`{law['model']}`, {law['name'][len(law['model']) + 1:].replace('_', ' ')}") for law in LAWS]
+    totals += [("reaction_N", "reaction")] + [("max_pressure_kPa", "largest pressure, kPa")] * ("max_pressure_kPa" in rows[0])
+    for key, title in totals:
+        values = [row[key] for row in rows]
+        lines.append(f"| {title} | " + " | ".join(f"{value:.4g}" for value in values) + " | " + " | ".join(convergence(values)) + " |")
+    return "\n".join(lines)
+
+
+def contact_table(rows):
+    lines = ["| triangles | worst depth | colliding | their area | mean deformation, paper | corotated |", "|---|---|---|---|---|---|"]
     for row in rows:
-        cells = [str(row["triangles"]), row["nodes"], f"{row['colliding_triangles']:.0f}"]
-        cells += [f"{row['colliding_area_cm2']:.1f} cm2"]
-        cells += [f"{row['paper_mean_deformation_mm']:.2f} mm", f"{row['corotated_mean_deformation_mm']:.2f} mm"]
-        for law in LAWS:
-            force = row[f"{law}_N"]
-            factor = "" if last is None else f" (x {force / last[f'{law}_N']:.2f})"
-            cells.append(f"{force:.2f} N{factor}")
-        lines.append("| " + " | ".join(cells) + " |")
-        last = row
+        cells = [f"{row['triangles']:,}", f"{row['worst_depth_mm']:.3f} mm", f"{row['colliding_triangles']:.0f}"]
+        cells += [f"{row['colliding_area_cm2']:.1f} cm2", f"{row['paper_mean_deformation_mm']:.2f} mm"]
+        lines.append("| " + " | ".join(cells + [f"{row['corotated_mean_deformation_mm']:.2f} mm"]) + " |")
     return "\n".join(lines)
 
 
@@ -112,7 +149,7 @@ def prescribed_table(rows):
     return "\n".join(lines)
 
 
-def save(path, figure, axis, rows, force):
+def scale(axis, rows, force):
     """Axes of a force over the number of triangles, once the curves are drawn."""
     triangles = [row["triangles"] for row in rows]
     axis.set_xscale("log", base=2)
@@ -123,8 +160,6 @@ def save(path, figure, axis, rows, force):
     axis.set_ylabel(f"{force} [N]")
     axis.grid(alpha=0.3)
     axis.legend(frameon=False, fontsize=8)
-    figure.tight_layout()
-    figure.savefig(path, dpi=90)
 
 
 def draw_prescribed(path, rows):
@@ -133,36 +168,48 @@ def draw_prescribed(path, rows):
     axis.plot(triangles, [row["paper_N"] for row in rows], "-", marker="o", color=COLOURS["paper"], label="paper")
     axis.plot(triangles, [row["per_area_N"] for row in rows], "-", marker="o", color=COLOURS["per_area"], label="per_area")
     axis.axhline(rows[0]["exact_N"], color="black", linewidth=0.8, linestyle=":", label="surface integral of the law")
-    save(path, figure, axis, rows, "force on a prescribed deformation")
+    scale(axis, rows, "force on a prescribed deformation")
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
 
 
-def write(folder, rows, prescribed):
-    with open(folder / "refinement.csv", "w", newline="") as file:
+def save_rows(path, rows):
+    with open(path, "w", newline="") as file:
         writer = csv.DictWriter(file, fieldnames=list(rows[0]), lineterminator="\n")
         writer.writeheader()
         for row in rows:
-            writer.writerow({key: value if isinstance(value, str) else f"{value:.6g}" for key, value in row.items()})
-    coefficients = f"k {K} N/m^{N:g} and lambda {LAMBDA} N s/m^{N + 1:g}"
-    per_area = f"k {LAWS['per_area']['k']:.3g} N/m^{N + 2:g} and lambda {LAWS['per_area']['lambda']:.3g} N s/m^{N + 3:g}"
+            writer.writerow({key: f"{value:.6g}" for key, value in row.items()})
+
+
+def write(folder, shell, elastic, prescribed):
     text = f"""# Force under refinement of the tissue's mesh
 
 `{COMMAND}`
 
-`configs/spatula_press.yaml`, pipeline `fukuhara`: the spatula held 25 mm deep, the tool's nodes refined with the tissue.
-Hunt-Crossley with n {N}: `paper` and `corotated` with {coefficients} a triangle, the laws
-per area with {per_area}. Magnitude of the mean force over the last {HELD_S} s;
-in brackets: over that of the row above.
+A blade held in a ball of 30 mm, on meshes whose edges are halved from column to column; the tool's nodes are refined with the tissue.
+Magnitude of the mean force over the last {HELD_S} s, in newtons. Coefficients a triangle: {coefficient_text()}; those per area are these over
+the mean triangle of 128. "Order" is that of the last three meshes (2 where an error falls as the square of the edge), "limit" what they
+extrapolate to, "from it" the error of the finest mesh by that.
 
-{table(rows)}
+## A shell of springs
 
-![Held force over the number of triangles](refinement.png)
+`{SHELL['scene']}`, pipeline `{SHELL['pipeline']}`, held 25 mm deep.
 
-The paper's sum grows with the mesh, corotated or not. The sum per area does not: per_area falls by
-differences that become smaller, corotated_per_area unevenly. The reason is which triangles count: all with at least one vertex in contact, so that the area that counts is the blade's
-face (6 cm2) and a strip around it about two edges wide, which each refinement halves: an error of first order in the edge length.
+{table(shell)}
 
-These are runs of the whole simulation: with the mesh the tissue changes too, a shell of springs of one stiffness whatever their
-length, and with it how far it is displaced (the two columns of deformation). A limit of the whole is therefore not shown here.
+{contact_table(shell)}
+
+## Elastic tissue
+
+`{ELASTIC['scene']}`, pipeline `{ELASTIC['pipeline']}`, held 6 mm deep in tissue of 10 kPa.
+
+{table(elastic)}
+
+{contact_table(elastic)}
+
+![Held forces of Hunt and Crossley's law and the reaction over the number of triangles](refinement.png)
+
+FINDINGS
 
 ## The laws alone
 
@@ -177,32 +224,46 @@ first order where tissue moves beyond the edge of contact too.)
     (folder / "README.md").write_text(text)
 
 
-def draw(path, rows):
-    figure, axis = plt.subplots(figsize=(6.4, 4.2))
-    triangles = [row["triangles"] for row in rows]
-    for law in LAWS:
-        style = "--" if law.startswith("corotated") else "-"
-        axis.plot(triangles, [row[f"{law}_N"] for row in rows], style, marker="o", color=COLOURS[law], label=law)
-    start = rows[0]["paper_N"]
-    axis.plot(triangles, [start * n / triangles[0] for n in triangles], ":", color="grey", label="number of triangles")
-    save(path, figure, axis, rows, "held force")
+def coefficient_text():
+    return "; ".join(f"`{model}` " + ", ".join(f"{name} {value:g}" for name, value in of.items()) for model, of in MODELS.items())
+
+
+def draw(path, shell, elastic):
+    figure, both = plt.subplots(1, 2, figsize=(10, 4.2))
+    for axis, rows, title in zip(both, (shell, elastic), ("shell of springs", "elastic tissue")):
+        for way in WAYS:
+            style = "--" if way.startswith("corotated") else "-"
+            axis.plot([row["triangles"] for row in rows], [row[f"hunt_crossley_{way}_N"] for row in rows], style, marker="o",
+                      color=COLOURS[way], label=way)
+        axis.plot([row["triangles"] for row in rows], [row["reaction_N"] for row in rows], ":", marker="s", color=COLOURS["reaction"],
+                  label="reaction")
+        axis.set_title(title)
+        scale(axis, rows, "held force")
+    figure.tight_layout()
+    figure.savefig(path, dpi=90)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--subdivisions", type=int, nargs="+", default=[2, 3, 4, 5])
     arguments = parser.parse_args()
+    if len(arguments.subdivisions) < 3:
+        parser.error("--subdivisions: fewer than three meshes, expected at least three, from which an order follows")
     folder = ROOT / "results/force_refinement"
     folder.mkdir(parents=True, exist_ok=True)
-    rows = []
-    for subdivisions in arguments.subdivisions:
-        rows.append(run(subdivisions))
-        print(f"{rows[-1]['triangles']} triangles: done", flush=True)
+    tables = []
+    for name, tissue in (("shell", SHELL), ("elastic", ELASTIC)):
+        rows = []
+        for subdivisions in arguments.subdivisions:
+            rows.append(run(tissue, subdivisions))
+            print(f"{name}, {rows[-1]['triangles']} triangles: done", flush=True)
+        save_rows(folder / f"{name}.csv", rows)
+        tables.append(rows)
     prescribed = prescribed_rows(folder)
-    write(folder, rows, prescribed)
-    draw(folder / "refinement.png", rows)
+    write(folder, *tables, prescribed)
+    draw(folder / "refinement.png", *tables)
     draw_prescribed(folder / "prescribed.png", prescribed)
-    print("written: results/force_refinement/README.md, refinement.{csv,png}, prescribed.{csv,png}")
+    print("written: results/force_refinement/README.md, shell.csv, elastic.csv, refinement.png, prescribed.{csv,png}")
 
 
 if __name__ == "__main__":

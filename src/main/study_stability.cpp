@@ -19,6 +19,7 @@ namespace {
 struct StabilityOptions {
   std::string study;
   std::string folder;
+  std::vector<std::string> maps;
   int slots = 1;
   bool plan = false;
   bool json = false;
@@ -50,7 +51,7 @@ int runStability(const StabilityOptions& options) {
   const std::filesystem::path folder = options.folder.empty()
                                            ? std::filesystem::path("out") / loadStability(options.study).name
                                            : std::filesystem::path(options.folder);
-  StabilityStudy study(options.study, folder, options.command_line);
+  StabilityStudy study(options.study, folder, options.maps, options.command_line);
   ProgressDisplay display(std::cerr, STDERR_FILENO);
   if (options.plan) return planStability(study, options.slots, display);
   std::size_t wanted = 1;
@@ -83,6 +84,11 @@ Verb addStability(Command study, const std::string& command_line) {
   command.option("-o,--output", options->folder, "folder of the study; default: out/<the name in the file>")
       .notEmpty();
   command.option("-j,--jobs", options->slots, "simulations side by side; default: 1").between(1, 1024);
+  command
+      .option("--map", options->maps,
+              "this map alone (repeatable); the folder's tables hold no others then. Default: all")
+      .repeated()
+      .notEmpty();
   command.flag("--plan", options->plan,
                "write the sweeps of the next cells and name those to run, for a cluster");
   command.flag("--json", options->json, "how many cells have which class, for machines, on standard output");

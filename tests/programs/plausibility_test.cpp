@@ -185,5 +185,26 @@ TEST(Plausibility, ScenariosOfTheHouseAreWarnedOfWhatTheyShow) {
                 "up to 3.959 mm deep before anything moves, expected a start outside"});
 }
 
+// An exponent below 1 is said only where the law pushes the tool.
+TEST(Plausibility, AnExponentBelowOneAndACoupledTool) {
+  const Folder folder;
+  const std::string laws = "force: [{name: hc, model: hunt_crossley, k: 20, lambda: 1, n: 0.5}]\n";
+  const std::string coupled =
+      with(pressScenario("[{pipeline: fukuhara}]", "0.03", laws), "    motion:\n",
+           "    coupling: {mass_kg: 0.05, stiffness_N_m: 500, damping_N_s_m: 5, force: hc}\n"
+           "    motion:\n");
+  folder.write("free.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", laws));
+  folder.write("coupled.yaml", coupled);
+  folder.write("linear.yaml", with(coupled, "n: 0.5", "n: 1"));
+  const std::string warning =
+      "warning: force.hc.n: is 0.5: where contact begins the law's stiffness, k n x^(n-1), has no bound, and "
+      "a tool "
+      "that feels it one step late chatters at any step, expected at least 1 for a law that pushes a coupled "
+      "tool\n";
+  EXPECT_NE(runFissure(folder, {"validate", "coupled.yaml"}).out.find(warning), std::string::npos);
+  for (const char* file : {"free.yaml", "linear.yaml"})
+    EXPECT_EQ(runFissure(folder, {"validate", file}).out.find("force.hc.n"), std::string::npos) << file;
+}
+
 }  // namespace
 }  // namespace fissure::programs::plausibility_test

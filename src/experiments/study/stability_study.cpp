@@ -1,6 +1,6 @@
 #include "study/stability_study.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <map>
@@ -67,6 +67,20 @@ std::string sweepName(const StabilityPanel& panel, const char* ending) {
   return name + ending;
 }
 
+/// Of the maps, those with these names, in the order of the file; all where `names` is empty.
+void keepOnly(const std::vector<std::string>& names, std::vector<StabilityMap>& maps, const fs::path& file) {
+  if (names.empty()) return;
+  std::vector<std::string> known;
+  for (const StabilityMap& map : maps) known.push_back(map.name);
+  for (const std::string& name : names)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      throw InputError(inFile(file), fmt::format("has no map \"{}\", expected one of {}{}", name,
+                                                 fmt::join(known, ", "), didYouMean(name, known)));
+  std::erase_if(maps, [&](const StabilityMap& map) {
+    return std::find(names.begin(), names.end(), map.name) == names.end();
+  });
+}
+
 /// All combinations, the last axis fastest.
 std::vector<std::vector<std::string>> gridOf(const StabilityMap& map) {
   std::vector<std::vector<std::string>> points{{}};
@@ -84,8 +98,10 @@ std::vector<std::vector<std::string>> gridOf(const StabilityMap& map) {
 
 }  // namespace
 
-StabilityStudy::StabilityStudy(const fs::path& file, const fs::path& folder, const std::string& command_line)
+StabilityStudy::StabilityStudy(const fs::path& file, const fs::path& folder,
+                               const std::vector<std::string>& maps, const std::string& command_line)
     : settings_(loadStability(file)), folder_(folder), command_line_(command_line) {
+  keepOnly(maps, settings_.maps, file);
   for (const StabilityMap& map : settings_.maps) {
     const fs::path base = settings_.baseOf(map);
     if (std::none_of(bases_.begin(), bases_.end(), [&](const Base& known) { return known.file == base; }))

@@ -38,9 +38,10 @@ struct StabilityPanel {
 /// study that was stopped, killed or run elsewhere goes on.
 class StabilityStudy {
  public:
-  /// Throws InputError for a study whose scenarios or cells are not valid.
+  /// Of the study's maps, those named in `maps`; empty for all. Throws InputError for a study whose scenarios or
+  /// cells are not valid, and for a name that no map has.
   StabilityStudy(const std::filesystem::path& file, const std::filesystem::path& folder,
-                 const std::string& command_line);
+                 const std::vector<std::string>& maps, const std::string& command_line);
 
   /// Writes the sweeps of all cells that are known to be needed, runs those never tried with `slots` workers,
   /// and classifies. Returns the number of cells that the classes call for next. Throws Interrupted, with all

@@ -104,23 +104,28 @@ void addTexts(const Summary& summary, std::vector<Warning>& warnings) {
   }
 }
 
-/// In how many rows `is` holds for some column of a quantity.
-std::size_t rowsWhere(const ReportRun& run, const std::string& name, std::size_t first, std::size_t stride,
-                      const std::function<bool(double)>& is) {
+/// In how many steps `is` holds for some column of a quantity, as text; empty: in none. Where not every step
+/// has a row there may be more.
+std::string stepsWhere(const ReportRun& run, const std::string& name, std::size_t first, std::size_t stride,
+                       const std::function<bool(double)>& is) {
   const StoredQuantity* quantity = run.reader.find(name);
-  if (!quantity || quantity->row_axis != "time") return 0;
+  if (!quantity || quantity->row_axis != "time") return {};
   const std::vector<double> values = run.reader.all(*quantity);
   std::size_t count = 0;
   for (std::size_t i = first; i < values.size(); i += stride) count += is(values[i]) ? 1 : 0;
-  return count;
+  if (count == 0) return {};
+  const SummaryValue* steps = findValue(run.result->summary, "steps");
+  const bool thinned = steps && numberOf(*steps).value_or(0) >= static_cast<double>(run.times_s.size());
+  return (thinned ? "at least " : "") + std::to_string(count);
 }
 
 void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
   const auto positive = [](double value) { return value > 0; };
-  if (const auto steps =
-          rowsWhere(run, "penetration_depth", 0, 1, [](double v) { return !std::isfinite(v); }))
+  if (const std::string steps =
+          stepsWhere(run, "penetration_depth", 0, 1, [](double v) { return !std::isfinite(v); });
+      !steps.empty())
     warnings.push_back({true, fmt::format("the penetration depth of {} steps is no number", steps)});
-  if (const auto steps = rowsWhere(run, "capped_count", 0, 1, positive))
+  if (const std::string steps = stepsWhere(run, "capped_count", 0, 1, positive); !steps.empty())
     warnings.push_back(
         {false,
          fmt::format("capped: in {} steps a contact's displacement hit the limit of one step", steps)});
@@ -128,7 +133,8 @@ void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
   if (!clamped || clamped->axes.size() != 1) return;
   const StoredAxis& laws = clamped->axes.front();
   for (std::size_t law = 0; law < laws.length; ++law)
-    if (const auto steps = rowsWhere(run, "adhesion_clamped", law, laws.length, positive))
+    if (const std::string steps = stepsWhere(run, "adhesion_clamped", law, laws.length, positive);
+        !steps.empty())
       warnings.push_back(
           {false,
            fmt::format(

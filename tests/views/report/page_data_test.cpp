@@ -100,6 +100,13 @@ TEST(PageData, OnlyWhatIsPresentIsShown) {
   EXPECT_EQ(ids, (std::set<std::string>{"penetration_depth", "force", "force_elastic", "contact_count"}));
 }
 
+// The sample's summary is of 12 steps, of which rows tell only some.
+TEST(PageData, StepsWithoutRowsMayBeMore) {
+  const ScratchFolder folder;
+  const PageJson page = resultPage(writeSample(folder, makeSampleRun(5, false)), "fissure test", "");
+  EXPECT_TRUE(hasWarning(page, "the penetration depth of at least 1 steps is no number", true));
+}
+
 // The sample's worst depth is 250 mm: that its run has finished is nothing good.
 TEST(PageData, ARunThatFinishedIsJudgedByItsMeasures) {
   const ScratchFolder folder;
