@@ -227,7 +227,7 @@ TEST_F(ProbesTest, AContactBetweenTwoMeasurementsIsNoInversionOfItsOwn) {
   state_.contact.contact_count = 1;
   step();
   state_.contact.contact_count = 0;
-  const Mesh& rest = scene_.bodies[0].rest;
+  const TriangleMesh& rest = scene_.bodies[0].rest;
   state_.positions_m[static_cast<std::size_t>(rest.faces.front()[0])] *= -1.2;  // turns a few triangles over
   step();
   EXPECT_GT(value("inverted_triangles"), 0);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr double kReach_m = 0.002;
 constexpr double kSeparation_m = 1e-5;
+constexpr double kClearly_m = 5e-5;
 
 TriangleMesh placed(TriangleMesh mesh, const Pose& pose) {
   for (Vec3& v : mesh.vertices_m) v = pose.toScene(v);
@@ -45,6 +47,13 @@ struct Scene {
     return mesh;
   }
   TissuePath path() const { return {body.rest.vertices_m, to_m}; }
+
+  double longestWay_m() const {
+    double longest_m = 0;
+    for (std::size_t v = 0; v < to_m.size(); ++v)
+      longest_m = std::max(longest_m, (to_m[v] - body.rest.vertices_m[v]).norm());
+    return longest_m;
+  }
 
   std::mt19937 random;
   std::uniform_real_distribution<double> uniform{-1, 1};
@@ -99,12 +108,14 @@ TEST(CrossingPairs, AreFoundWhereSurfacesMeetOnThePath) {
     std::vector<SweptPair> found;
     pairs.findCrossings(scene.path(), kSeparation_m, found);
     double least_m = 1, met_at = 2;
-    for (int i = 0; i <= 400; ++i) {
+    for (int i = 0; i <= 400 && met_at > 1;) {
       const TriangleMesh tissue = scene.at(i / 400.0);
       const double distance_m =
           pairs.overlap(tissue.vertices_m) ? 0 : test::slowDistance_m(tissue, scene.tool.surface);
       least_m = std::min(least_m, distance_m);
-      if (distance_m < kSeparation_m) met_at = std::min(met_at, i / 400.0);
+      if (distance_m < kSeparation_m) met_at = i / 400.0;
+      // Until then it stays clearly farther, because no point moves faster than the fastest vertex.
+      i += std::max(1, static_cast<int>((distance_m - kClearly_m) / (scene.longestWay_m() / 400)));
     }
     if (met_at <= 1) {
       ++met;
@@ -113,7 +124,7 @@ TEST(CrossingPairs, AreFoundWhereSurfacesMeetOnThePath) {
       for (const SweptPair& pair : found) first = std::min(first, pair.time);
       EXPECT_LE(first, met_at) << seed;
       EXPECT_GT(first, met_at - 0.05) << seed;
-    } else if (least_m > 5e-5) {
+    } else if (least_m > kClearly_m) {
       ++passed;
       EXPECT_TRUE(found.empty()) << seed;
     }
