@@ -15,6 +15,7 @@
 #include "report/history_page.h"
 #include "report/page.h"
 #include "report/page_data.h"
+#include "report/study_page.h"
 #include "report/sweep_page.h"
 #include "report/video.h"
 #include "table/sweep_table.h"
@@ -82,22 +83,6 @@ bool sameFile(const fs::path& a, const fs::path& b) {
   return fs::equivalent(a, b, missing);
 }
 
-/// Letters, digits and what else needs no escape in the path of a URL.
-std::string linkTo(const fs::path& page) {
-  constexpr std::string_view digits = "0123456789ABCDEF";
-  std::string link;
-  for (const char c : page.generic_string()) {
-    const auto byte = static_cast<unsigned char>(c);
-    const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 ||
-                                       std::string_view("/-._~").find(c) != std::string_view::npos);
-    if (plain)
-      link += c;
-    else
-      link += {'%', digits[byte / 16], digits[byte % 16]};
-  }
-  return link;
-}
-
 /// The page of a result lies beside the table as the result lies in its folder.
 fs::path pageName(const fs::path& result, const fs::path& folder) {
   return fs::path(result.lexically_relative(folder)).replace_extension(".html");
@@ -142,11 +127,16 @@ int stopped() {
   return exit_interrupted;
 }
 
-/// The history of benchmarks in a folder that holds files of scripts/bench and no results.
-int reportHistory(const ReportOptions& options, const fs::path& output) {
-  for (const fs::path& file : benchFilesIn(options.input))
+/// The page would take the place of one of the files that it shows.
+void refuseOneOf(const std::vector<fs::path>& files, const fs::path& output) {
+  for (const fs::path& file : files)
     if (sameFile(file, output))
       throw InputError(inFile(output), "is one of its files, expected another name for the page");
+}
+
+/// The history of benchmarks in a folder that holds files of scripts/bench and no results.
+int reportHistory(const ReportOptions& options, const fs::path& output) {
+  refuseOneOf(benchFilesIn(options.input), output);
   const OutputClaim claim(output, options.force);
   const BenchHistory history = readBenchHistory(options.input);
   const std::string name = fs::canonical(options.input).filename().string();
@@ -154,6 +144,25 @@ int reportHistory(const ReportOptions& options, const fs::path& output) {
                  {.processor_s = 60});
   for (const BenchHistory::Problem& problem : history.problems)
     std::cout << "not shown: " << problem.file << ": " << problem.text << "\n";
+  std::cout << "page: " << output.string() << "\n";
+  return exit_good;
+}
+
+/// The studies in a folder that `fissure study` has filled; the results of their runs have no pages then.
+int reportStudy(const ReportOptions& options) {
+  if (!options.video.empty()) throw InputError("--video: is of one result, expected no study");
+  const fs::path folder = options.input;
+  const fs::path output = options.output.empty() ? folder / "index.html" : fs::path(options.output);
+  refuseOneOf(studyFilesIn(folder), output);
+  const OutputClaim claim(output, options.force);
+  const fs::path way = fs::weakly_canonical(fs::absolute(folder))
+                           .lexically_relative(fs::weakly_canonical(fs::absolute(output)).parent_path());
+  try {
+    writePageApart(output, [&] { return pageText(studyPage(folder, linkTo(way) + "/", program())); },
+                   {.processor_s = 60});
+  } catch (const LostApart& lost) {
+    throw InputError(inFile(folder), std::string("a damaged study (") + lost.what() + ")");
+  }
   std::cout << "page: " << output.string() << "\n";
   return exit_good;
 }
@@ -208,12 +217,13 @@ Verb addReport(Command app) {
   const auto options = std::make_shared<ReportOptions>();
   Command command = app.command(
       "report",
-      "one page for a browser that shows a result, a sweep, a table of all below a folder, or benchmarks");
+      "one page for a browser that shows a result, a sweep, a study, a table of all below a folder, or "
+      "benchmarks");
   command.example("fissure report out/press.h5");
   command
       .option("RESULT", options->input,
-              "result file, sweep.h5, a sweep's folder, or a folder with result files below it, or with "
-              "files of scripts/bench")
+              "result file, sweep.h5, a sweep's or a study's folder (the page is the study's, whatever "
+              "results are below), a folder with result files below it, or with files of scripts/bench")
       .required()
       .notEmpty();
   command
@@ -228,6 +238,7 @@ Verb addReport(Command app) {
             std::error_code ignored;
             const ReportOptions resolved = sweepOf(*options);
             try {
+              if (!studyFilesIn(options->input).empty()) return reportStudy(*options);
               return fs::is_directory(resolved.input, ignored) ? reportFolder(resolved)
                                                                : reportResult(resolved);
             } catch (const Interrupted&) {

@@ -8,6 +8,7 @@
 #include "base/error.h"
 #include "files/write_file.h"
 #include "scenario/compose.h"
+#include "study/study_command.h"
 #include "table/sweep_csv.h"
 #include "text/scalars.h"
 
@@ -20,13 +21,6 @@ using nlohmann::ordered_json;
 
 std::string nameOfClass(StabilityClass kind) {
   return std::string(stabilityClasses()[static_cast<std::size_t>(kind)].name);
-}
-
-/// As a shell reads it back.
-std::string quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
 }
 
 std::string line(std::initializer_list<std::string> fields) {
@@ -173,11 +167,7 @@ void writeTypical(const StabilityStudy& study) {
 }  // namespace
 
 std::string commandOf(const StabilityPanel& panel, const StabilityPanel::Cell& cell) {
-  std::string text = fmt::format("fissure run {} --pipeline {} --no-frames",
-                                 quoted(panel.scenario_file.generic_string()), quoted(panel.pipeline));
-  for (const Override& change : cell.cell.overrides)
-    text += " --set " + quoted(change.path + "=" + change.value);
-  return text;
+  return runCommand(panel.scenario_file, panel.pipeline, cell.cell.overrides);
 }
 
 std::map<StabilityClass, std::size_t> countClasses(const StabilityStudy& study) {

@@ -109,6 +109,13 @@ std::string settingText(const JudgedSetting& setting, const TradeoffResult& resu
   return text;
 }
 
+std::vector<Override> overridesOf(const JudgedSetting& setting, const TradeoffResult& result) {
+  std::vector<Override> overrides;
+  for (std::size_t p = 0; p < result.paths.size(); ++p)
+    overrides.push_back({result.paths[p], setting.values[p]});
+  return overrides;
+}
+
 std::string answerText(const TradeoffAnswer& answer, const TradeoffStudy& study, const TradeoffResult& result,
                        CostMeasure cost) {
   const std::string wish = answer.wish.text();

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "scenario/load.h"
 #include "study/tradeoff_result.h"
 
 namespace fissure {
@@ -44,5 +45,8 @@ std::string answerText(const TradeoffAnswer& answer, const TradeoffStudy& study,
 
 /// The setting as "swept with subdivisions 2".
 std::string settingText(const JudgedSetting& setting, const TradeoffResult& result);
+
+/// What the setting changes of the study's scenario.
+std::vector<Override> overridesOf(const JudgedSetting& setting, const TradeoffResult& result);
 
 }  // namespace fissure

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "files/write_file.h"
+#include "study/study_command.h"
 #include "table/sweep_csv.h"
 #include "table/sweep_names.h"
 #include "text/scalars.h"
@@ -124,7 +125,9 @@ std::string tradeoffCsv(const TradeoffStudy& study, const TradeoffResult& result
 
 std::string tradeoffJson(const TradeoffStudy& study, const TradeoffResult& result,
                          const std::vector<TradeoffAnswer>& answers, CostMeasure cost) {
-  Json json = {{"study", study.name},
+  Json json = {{"format", "fissure-tradeoff"},
+               {"format_version", 1},
+               {"study", study.name},
                {"description", study.description},
                {"cost", cost == CostMeasure::mean ? "us_per_ms" : "p99_us_per_ms"},
                {"references", Json::array()},
@@ -133,8 +136,11 @@ std::string tradeoffJson(const TradeoffStudy& study, const TradeoffResult& resul
                {"answers", Json::array()}};
   for (const JudgedReference& reference : result.references)
     json["references"].push_back(jsonOf(reference, study));
-  for (const JudgedSetting& setting : result.settings)
+  for (const JudgedSetting& setting : result.settings) {
     json["settings"].push_back(jsonOf(setting, study, result));
+    json["settings"].back()["command"] =
+        runCommand(study.directory / study.base, setting.pipeline, overridesOf(setting, result));
+  }
   for (const AxisOrder& order : result.orders)
     json["orders"].push_back({{"path", order.path},
                               {"pipeline", order.pipeline},

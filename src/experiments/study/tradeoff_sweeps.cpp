@@ -62,13 +62,6 @@ bool hasShell(const Scenario& scenario) {
                      [](const BodySettings& body) { return body.model == BodyModel::shell; });
 }
 
-std::vector<Override> overridesOf(const JudgedSetting& setting, const TradeoffResult& result) {
-  std::vector<Override> overrides;
-  for (std::size_t p = 0; p < result.paths.size(); ++p)
-    overrides.push_back({result.paths[p], setting.values[p]});
-  return overrides;
-}
-
 }  // namespace
 
 StudySweeps::StudySweeps(TradeoffStudy study, fs::path folder)

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "base/error.h"
-#include "report/report_run.h"
+#include "report/json_map.h"
 #include "text/text_file.h"
 
 namespace fissure {
@@ -18,31 +18,6 @@ namespace fissure {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* format_name = "fissure-bench";
-constexpr int format_version = 1;
-
-/// An entry of a map, of type T; throws InputError without a file.
-template <class T>
-T entryOf(const PageJson& map, const char* key, const char* expected) {
-  if (!map.is_object() || !map.contains(key))
-    throw InputError(fmt::format("missing \"{}\", expected {}", key, expected));
-  try {
-    return map.at(key).get<T>();
-  } catch (const PageJson::exception&) {
-    throw InputError(
-        fmt::format("\"{}\" is {}, expected {}", key, map.at(key).dump().substr(0, 40), expected));
-  }
-}
-
-/// An entry of a map that is a count.
-int countOf(const PageJson& map, const char* key, const char* expected) {
-  const auto number = entryOf<PageJson>(map, key, expected);
-  const double value = number.is_number_integer() ? number.get<double>() : -1;
-  if (value < 0 || value > 1e6)
-    throw InputError(fmt::format("\"{}\" is {}, expected {}", key, number.dump().substr(0, 40), expected));
-  return static_cast<int>(value);
-}
 
 double finite(const PageJson& number, const std::string& name, const char* what) {
   const double value = number.is_number() ? number.get<double>() : NAN;
@@ -54,14 +29,14 @@ double finite(const PageJson& number, const std::string& name, const char* what)
 
 BenchCase caseOf(const PageJson& entry, const std::string& name) {
   BenchCase found;
-  for (const PageJson& time : entryOf<PageJson>(entry, "time_us", "a list of times")) {
+  for (const PageJson& time : JsonMap(entry).list("time_us")) {
     found.times_us.push_back(finite(time, name, "a time"));
     if (found.times_us.back() <= 0)
       throw InputError(fmt::format("a time of {} is {}, expected more than 0", name, found.times_us.back()));
   }
   if (found.times_us.empty()) throw InputError(fmt::format("{} has no times, expected some", name));
-  const auto counters = entryOf<PageJson>(entry, "counters", "a map of counters");
-  for (const auto& [key, value] : counters.items()) found.counters[key] = finite(value, name, "a counter");
+  for (const auto& [key, value] : JsonMap(entry).map("counters").items())
+    found.counters[key] = finite(value, name, "a counter");
   return found;
 }
 
@@ -74,26 +49,20 @@ bool isDate(const std::string& text) {
          });
 }
 
-BenchFile fromJson(const PageJson& root) {
-  const auto format = entryOf<std::string>(root, "format", "\"fissure-bench\"");
-  if (format != format_name)
-    throw InputError(fmt::format("format is \"{}\", expected \"{}\"", format, format_name));
-  if (countOf(root, "format_version", "1") > format_version)
-    throw InputError("of a newer fissure, expected format_version 1");
+BenchFile fromJson(const PageJson& json) {
+  const JsonMap root(json);
+  root.refuseOtherFormat("fissure-bench");
   BenchFile file;
-  file.commit = {entryOf<std::string>(root, "commit_date", "a date"),
-                 entryOf<std::string>(root, "commit", "a commit's hash"),
-                 entryOf<bool>(root, "modified", "true or false")};
+  file.commit = {root.text("commit_date", "a date"), root.text("commit", "a commit's hash"),
+                 root.truth("modified")};
   if (!isDate(file.commit.date))
     throw InputError(
         fmt::format("commit_date is \"{}\", expected UTC as 2026-01-31T12:00:00Z", file.commit.date));
-  const auto machine = entryOf<PageJson>(root, "machine", "a map");
-  const auto build = entryOf<PageJson>(root, "build", "a map");
-  file.machine = {entryOf<std::string>(machine, "cpu", "a text"),
-                  entryOf<std::string>(build, "compiler", "a text"),
-                  entryOf<std::string>(build, "flags", "a text"), countOf(machine, "cores", "a count")};
-  for (const PageJson& entry : entryOf<PageJson>(root, "benchmarks", "a list")) {
-    const auto name = entryOf<std::string>(entry, "name", "a benchmark's name");
+  const JsonMap machine(root.map("machine")), build(root.map("build"));
+  file.machine = {machine.text("cpu"), build.text("compiler"), build.text("flags"),
+                  static_cast<int>(machine.count("cores"))};
+  for (const PageJson& entry : root.list("benchmarks")) {
+    const std::string name = JsonMap(entry).text("name", "a benchmark's name");
     if (!file.cases.emplace(name, caseOf(entry, name)).second)
       throw InputError(fmt::format("{} is there twice, expected once", name));
   }

@@ -1,5 +1,6 @@
 #include "report/page.h"
 
+#include <cctype>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -58,6 +59,10 @@ Parts partsOf(const std::string& kind) {
     return {{assets::page_css, assets::sweep_css},
             {assets::shared_js, assets::sweep_data_js, assets::sweep_marks_js, assets::sweep_maps_js,
              assets::sweep_parallel_js, assets::sweep_curves_js, assets::sweep_js}};
+  if (kind == "study")
+    return {{assets::page_css, assets::study_css},
+            {assets::shared_js, assets::plots_js, assets::study_marks_js, assets::study_maps_js,
+             assets::study_fronts_js, assets::study_js}};
   if (kind == "history")
     return {{assets::page_css, assets::history_css},
             {assets::shared_js, assets::plots_js, assets::history_js}};
@@ -87,6 +92,21 @@ std::string escapedHtml(const std::string& text) {
     }
   }
   return escaped;
+}
+
+std::string linkTo(const std::filesystem::path& page) {
+  constexpr std::string_view digits = "0123456789ABCDEF";
+  std::string link;
+  for (const char c : page.generic_string()) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool plain = byte < 0x80 && (std::isalnum(byte) != 0 ||
+                                       std::string_view("/-._~").find(c) != std::string_view::npos);
+    if (plain)
+      link += c;
+    else
+      link += {'%', digits[byte / 16], digits[byte % 16]};
+  }
+  return link;
 }
 
 std::string pageText(const PageJson& data) {

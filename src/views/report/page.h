@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "report/report_run.h"
@@ -15,5 +16,8 @@ std::string pageText(const PageJson& data);
 /// `text` with all characters that have a meaning in HTML (tags, entities, ends of attributes) replaced by
 /// entities.
 std::string escapedHtml(const std::string& text);
+
+/// The path of a URL that leads to a file, with all but letters, digits and a few marks escaped.
+std::string linkTo(const std::filesystem::path& page);
 
 }  // namespace fissure

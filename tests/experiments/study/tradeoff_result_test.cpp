@@ -20,6 +20,8 @@ const double kUnknown = std::nan("");
 TradeoffStudy study() {
   TradeoffStudy of;
   of.name = "some";
+  of.directory = "a study";
+  of.base = "it's.yaml";
   AxisGroup& group = of.axes.emplace_back();
   group.axes.push_back({.path = "time.step_s"});
   of.errors = {{.quantity = ErrorQuantity::depth, .size = {1e-4, false}},
@@ -122,6 +124,10 @@ TEST(TradeoffResult, FilesHaveWhatIsKnownAndNothingElse) {
   EXPECT_EQ(json["settings"].size(), 5u);
   EXPECT_TRUE(json["settings"][4]["errors"]["depth"]["counts"].is_null());
   EXPECT_EQ(json["settings"][0]["front"], true);
+  EXPECT_EQ(json["format"], "fissure-tradeoff");
+  EXPECT_EQ(
+      json["settings"][1]["command"],
+      "fissure run 'a study/it'\\''s.yaml' --pipeline 'swept' --no-frames --set 'time.step_s=0.002000'");
   EXPECT_DOUBLE_EQ(json["references"][1]["own_error"], 1e-3);
   EXPECT_EQ(settingRows(study(), of).size(), 6u);
   EXPECT_EQ(settingRows(study(), of)[5].back(), "depth not measured");

@@ -2,7 +2,8 @@
 
 No message on the console, nothing wider than the window, every plot drawn, and one time for plots, frames and keys. Of a
 sweep: a brush on one axis shows in all views, keys walk over the maps, and lists of runs can be chosen. Of a history of
-benchmarks: steps, machines and counters.
+benchmarks: steps, machines and counters. Of studies: a click on a cell or a setting shows its class or errors and the
+command that repeats it.
 """
 import argparse
 import json
@@ -353,6 +354,131 @@ def make_history(program, folder):
     subprocess.run([program, "report", "history"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
 
 
+# The middle of a mark, once it is in sight.
+MARK_AT = """
+const mark = document.querySelector(arguments[0]);
+mark.scrollIntoView({block: 'center'});
+const box = mark.querySelector('polygon').getBoundingClientRect();
+return [box.left + box.width / 2, box.top + box.height / 2];
+"""
+
+
+def click_on(driver, selector):
+    x, y = driver.execute_script(MARK_AT, selector)
+    for kind in ("mousePressed", "mouseReleased"):
+        driver.execute_cdp_cmd("Input.dispatchMouseEvent", {"type": kind, "x": x, "y": y, "button": "left", "clickCount": 1})
+    time.sleep(0.1)
+
+
+def press_arrow(driver, key):
+    for kind in ("keyDown", "keyUp"):
+        driver.execute_cdp_cmd("Input.dispatchKeyEvent", {"type": kind, "key": key, "code": key})
+    time.sleep(0.1)
+
+
+def readouts(driver, panel):
+    return driver.execute_script("return [...document.querySelectorAll(arguments[0] + ' .readout')].map(one => one.innerText)", panel)
+
+
+def check_stability(driver, where):
+    marks = ("return [...document.querySelectorAll('.panel[data-map=steps] .map > .class-mark')]"
+             ".map(mark => mark.querySelector('text') && mark.textContent[0])")
+    check(sorted(driver.execute_script(marks), key=str) == ["C", "C", None, "S", "S"], f"{where}: letters of large marks alone")
+    click_on(driver, ".panel[data-map=steps] .map > .class-mark[data-class=chattering]")
+    shown = readouts(driver, ".details[data-map]")
+    check(len(shown) == 1 and "chattering: the force swings" in shown[0] and "215.5 Hz" in shown[0], f"{where}: click: {shown}")
+    check("fissure run 'ball.yaml' --set 'time.step_s=0.01'" in shown[0], f"{where}: command: {shown}")
+    href = driver.execute_script("return document.querySelector('.readout a').getAttribute('href')")
+    check(href == "./steps/swept/runs/a%20b.h5", f"{where}: link {href}")
+    press_arrow(driver, "ArrowLeft")
+    shown = readouts(driver, ".details[data-map]")
+    check(len(shown) == 1 and "halving" in shown[0] and "step_s=0.001" in shown[0], f"{where}: arrow: {shown}")
+    driver.execute_script("document.querySelector('.readout .copy').click()")
+    time.sleep(0.2)
+    check(driver.execute_script("return document.querySelector('.readout .copy').textContent") == "Copied", f"{where}: not copied")
+    driver.execute_script("document.querySelector('input[data-class=chattering]').click()")
+    check(len(driver.execute_script(marks)) == 3, f"{where}: a class that is not chosen is drawn")
+    driver.execute_script("document.querySelector('input[data-class=chattering]').click()")
+    driver.execute_script("const s = document.querySelector('select[aria-label=Pipeline]'); s.value = 'default';"
+                          "s.dispatchEvent(new Event('change'))")
+    shown = driver.execute_script("return [...document.querySelectorAll('.panel[data-map]:not([hidden])')].map(one => one.dataset.map)")
+    check(shown == ["responses"], f"{where}: maps of a pipeline: {shown}")
+    listed = driver.execute_script("return document.querySelector('.boundary-list').innerText")
+    check("None between these" in listed, f"{where}: boundaries of a map without any: {listed}")
+
+
+def check_tradeoff(driver, where):
+    count = "return document.querySelectorAll('.panel[data-quantity=' + arguments[0] + '] ' + arguments[1]).length"
+    check(driver.execute_script(count, "depth", ".setting-mark") == 2, f"{where}: marks of depth")
+    check(driver.execute_script(count, "depth", ".front") == 1, f"{where}: front of depth")
+    check(driver.execute_script(count, "reaction", "polygon[fill='#fff']") == 2, f"{where}: differences are open marks")
+    check(driver.execute_script(count, "reaction", ".front") == 0, f"{where}: a front of differences")
+    click_on(driver, ".panel[data-quantity=depth] .setting-mark[data-pipeline=swept]")
+    shown = readouts(driver, ".details[data-quantity]")
+    check(len(shown) == 1 and "--set 'time.step_s=0.001'" in shown[0] and "300 mN\t–\t–\trefused" in shown[0],
+          f"{where}: click on a setting: {shown}")
+    rings = driver.execute_script("return document.querySelectorAll('.panel[data-quantity] .ring').length")
+    check(rings == 3, f"{where}: the setting in all plots: {rings}")
+
+
+def check_study_page(driver, page, width, keep):
+    where = f"study at {width}"
+    open_at(driver, page, width)
+    text = driver.execute_script("return document.body.innerText")
+    for words in ("</script><b>limits</b>, costs", "a study of stability and a study of accuracy and cost", "Where runs break",
+                  "What accuracy costs", "refused: does not fall", "signal 11", "holds", "0.003162"):
+        check(words in text, f"{where}: does not say {words}")
+    check_stability(driver, where)
+    if keep:
+        driver.save_screenshot(str(pathlib.Path(keep) / f"study_{width}.png"))
+    check_tradeoff(driver, where)
+    check_width_and_console(driver, where)
+
+
+def make_study(program, folder):
+    def cell(values, kind, of_round=0):
+        more = {"frequency_Hz": 215.5, "reason": "the force swings"} if kind == "chattering" else {"reason": "none"}
+        return {"values": values, "round": of_round, "wall_s": 0.25, "class": kind, "result": "steps/swept/runs/a b.h5",
+                "command": f"fissure run 'ball.yaml' --set 'time.step_s={values[-1]}'", **more}
+
+    def axis(path, scale, grid):
+        return {"path": path, "multiplies": [], "scale": scale, "grid": grid}
+
+    def setting(pipeline, step_s, us, depth_m):
+        us, known = {"low": us, "median": us, "high": us, "count": 2 if us else 0}, depth_m is not None
+        costs = ("us_per_ms", "p99_us_per_ms", "us_per_step", "p99_us_per_step", "processor_s_per_s", "memory_mib")
+        errors = {"depth": {"rms": depth_m, "worst": depth_m, "peak": depth_m, "counts": depth_m},
+                  "reaction": {"rms": 0.3 if known else None, "worst": None, "peak": None, "counts": None}}
+        return {"pipeline": pipeline, "values": {"time.step_s": step_s}, "status": "ok" if known else "crashed",
+                "status_detail": "" if known else "signal 11", "cost": {name: us for name in costs}, "errors": errors,
+                "weighed_error": depth_m and depth_m / 1e-4, "front": known,
+                "command": f"fissure run 'press.yaml' --set 'time.step_s={step_s}'"}
+
+    steps = {"map": "steps", "description": EVIL, "pipeline": "swept",
+             "axes": [axis("speed", "values", ["1", "2"]), axis("time.step_s", "logarithmic", ["1e-4", "0.01"])],
+             "cells": [cell(["1", "1e-4"], "stable"), cell(["1", "0.01"], "chattering"), cell(["2", "1e-4"], "stable"),
+                       cell(["2", "0.01"], "chattering"), cell(["1", "0.001"], "stable", 1)],
+             "boundaries": [{"others": ["1"], "below": 0.001, "above": 0.01, "class_below": "stable", "class_above": "chattering"}]}
+    responses = {"map": "responses", "description": "", "pipeline": "default", "axes": [axis("response", "values", ["a", "b"])],
+                 "cells": [cell(["a"], "stable"), cell(["b"], None)], "boundaries": []}
+    study = {"format": "fissure-stability", "format_version": 1, "name": "</script><b>limits</b>", "description": "", "refine_to": 0.05,
+             "criteria": {"force_N": 1000, "forces": []}, "panels": [steps, responses],
+             "classes": [{"name": name, "means": name} for name in ("chattering", "stable")]}
+    reference = {"pipeline": "swept", "units": "m", "measure": "rms", "order": 1.9, "own_error": 1e-6, "tolerance": 1e-4, "peak": 0.003,
+                 "peak_at_size_zero": None, "differences_of_rungs": []}
+    refused = {"quantity": "reaction", "units": "N", "refused": "does not fall", "own_error": None, "tolerance": None}
+    answer = {"wish": "depth at most 50 um", "setting": 0, "nearest": None, "times_beyond": None, "scenario": "errors.yaml", "holds": True,
+              "again": setting("swept", "0.001", 410, 1e-5)}
+    tradeoff = {"format": "fissure-tradeoff", "format_version": 1, "study": "costs", "description": "", "cost": "us_per_ms",
+                "references": [{**reference, "quantity": "depth", "refused": ""}, {**reference, **refused}], "orders": [],
+                "settings": [setting("swept", "0.001", 400, 1e-5), setting("fukuhara", "0.001", 100, 2e-4),
+                             setting("fukuhara", "0.002", None, None)], "answers": [answer]}
+    (folder / "study").mkdir()
+    (folder / "study/study.json").write_text(json.dumps(study))
+    (folder / "study/tradeoff.json").write_text(json.dumps(tradeoff))
+    subprocess.run([program, "report", "study"], cwd=folder, check=True, stdout=subprocess.DEVNULL)
+
+
 def make_sweeps(program, make_sweep, folder):
     for design, runs in (("grid", "378"), ("sobol", "240"), ("failed", "12"), ("lost", "12")):
         subprocess.run([make_sweep, f"{design}.h5", design, runs], cwd=folder, check=True)
@@ -379,6 +505,7 @@ def main():
         program = str(pathlib.Path(arguments.program).resolve())
         make_pages(program, folder)
         make_history(program, folder)
+        make_study(program, folder)
         make_sweeps(program, str(pathlib.Path(arguments.make_sweep).resolve()), folder)
         driver = browser()
         try:
@@ -390,6 +517,7 @@ def main():
                 check_failed_page(driver, folder / "failed.html", width, arguments.keep)
                 check_lost_page(driver, folder / "lost.html", width)
                 check_history_page(driver, folder / "history/index.html", width, arguments.keep)
+                check_study_page(driver, folder / "study/index.html", width, arguments.keep)
         finally:
             driver.quit()
     for problem in problems:

@@ -29,15 +29,18 @@ function element(tag, attributes = {}, ...children) {
   return made;
 }
 
+// The same for SVG.
+function drawn(tag, attributes = {}, ...children) {
+  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children.filter(child => child !== null));
+  return made;
+}
+
 function swatch(run) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  const line = document.createElementNS('http://www.w3.org/2000/svg', 'line');
   const {stroke, dash} = styleOf(run);
-  const set = (node, values) => Object.entries(values).forEach(([name, value]) => node.setAttribute(name, value));
-  set(svg, {class: 'swatch', viewBox: '0 0 32 12', 'aria-hidden': 'true'});
-  set(line, {x1: 0, y1: 6, x2: 32, y2: 6, stroke, 'stroke-width': 3, 'stroke-dasharray': dash.join(' ')});
-  svg.append(line);
-  return svg;
+  return drawn('svg', {class: 'swatch', viewBox: '0 0 32 12', 'aria-hidden': 'true'},
+    drawn('line', {x1: 0, y1: 6, x2: 32, y2: 6, stroke, 'stroke-width': 3, 'stroke-dasharray': dash.join(' ')}));
 }
 
 const runLabel = run => element('span', {}, swatch(run), data.runs[run].name);
