@@ -195,7 +195,7 @@ TEST(Plausibility, AnExponentBelowOneAndACoupledTool) {
            "    motion:\n");
   folder.write("free.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", laws));
   folder.write("coupled.yaml", coupled);
-  folder.write("linear.yaml", with(coupled, "n: 0.5", "n: 1"));
+  folder.write("linear.yaml", with(coupled, ", n: 0.5", ", n: 1"));
   const std::string warning =
       "warning: force.hc.n: is 0.5: where contact begins the law's stiffness, k n x^(n-1), has no bound, and "
       "a tool "

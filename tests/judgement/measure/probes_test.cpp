@@ -221,6 +221,8 @@ TEST_F(ProbesTest, InvertedTissueIsUnsoundBeforeTheFirstContact) {
 // With a measurement of every second step: a touch in between is a touch, and what it turns inside out is not
 // the tissue's own doing.
 TEST_F(ProbesTest, AContactBetweenTwoMeasurementsIsNoInversionOfItsOwn) {
+  scene_ = test::makeScene({makeSphere(0.05, 2)}, {{0.04, 0.002, 0.015}});
+  state_ = test::restState(scene_, {test::at(0, 0.2, 0)});
   scenario_.measure.every = 2;
   start();
   step();
