@@ -9,8 +9,8 @@
 namespace fissure::programs::study_stability_test {
 namespace {
 
-/// Two maps of one row each: over meshes from 8 to 512 triangles, where a force of 1 mN is out of range in
-/// the first cell that has one, and over the weight of the tissue.
+/// Two maps of one row each: over meshes of 8 and 512 triangles, on which the default law's force is 4 and 10
+/// N, the one within the limit and the other not, and over the weight of the tissue.
 const std::string study_text =
     "format: 1\n"
     "name: maps\n"
