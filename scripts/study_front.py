@@ -3,6 +3,7 @@
 
     fissure study tradeoff configs/studies/tradeoff_quick.yaml
     /usr/bin/python3 scripts/study_front.py out/tradeoff_quick -o front.png
+    /usr/bin/python3 scripts/study_front.py out/tradeoff_quick --tables          # as Markdown, on standard output; no picture
 
 One panel for each quantity. Points are medians over repeats, bars reach from the lower to the upper quartile. The line joins the front of the
 panel: what no cheaper setting beats. Below the grey line is less than the reference's own error: nothing there is told apart, and the front ends on
@@ -80,10 +81,51 @@ def draw(axes, study, quantity, colours):
     axes.grid(alpha=0.25)
 
 
+def text_of(value, scale=1.0):
+    return "-" if value is None else f"{scale * value:.3g}"
+
+
+def print_references(study):
+    print("| quantity | pipeline | peak | own error | order | |\n|---|---|---|---|---|---|")
+    for r in study["references"]:
+        scale, unit = MILLI[r["units"]]
+        own = "" if r["refused"] else f"{text_of(r['own_error'], scale)} {unit}"
+        order = "" if r["refused"] else text_of(r["order"])
+        print(f"| {r['quantity']} | {r['pipeline']} | {text_of(r['peak'], scale)} {unit} | {own} | {order} | {r['refused']} |")
+
+
+def print_settings(study):
+    """A row for each setting, the cheapest first; errors of refused references are differences, in brackets."""
+    refused = {r["quantity"] for r in study["references"] if r["refused"]}
+    units = {r["quantity"]: MILLI[r["units"]] for r in study["references"]}
+    paths = list(study["settings"][0]["values"])
+    head = ["pipeline"] + paths + ["us per ms", "p99 of a step, us", "MiB"] + [f"{q}, {unit}" for q, (_, unit) in units.items()] + ["front"]
+    print("\n| " + " | ".join(head) + " |\n|" + "---|" * len(head))
+    cost = study["cost"]
+    for s in sorted(study["settings"], key=lambda s: (s["cost"][cost]["median"] is None, s["cost"][cost]["median"])):
+        spread = s["cost"][cost]
+        cells = [s["pipeline"]] + [s["values"][path] for path in paths]
+        cells += [f"{text_of(spread['median'])} ({text_of(spread['low'])} to {text_of(spread['high'])})"]
+        cells += [text_of(s["cost"]["p99_us_per_step"]["median"]), text_of(s["cost"]["memory_mib"]["median"])]
+        for quantity, (scale, _) in units.items():
+            error = text_of(s["errors"][quantity]["counts"], scale)
+            cells.append(f"({text_of(s['errors'][quantity]['rms'], scale)})" if quantity in refused else error)
+        print("| " + " | ".join(cells + ["yes" if s["front"] else ""]) + " |")
+
+
+def print_orders(study):
+    known = [o for o in study["orders"] if o["order"]["median"] is not None]
+    if known:
+        print("\n| error of | pipeline | along | order |\n|---|---|---|---|")
+    for o in known:
+        print(f"| {o['quantity']} | {o['pipeline']} | {o['path']} | {text_of(o['order']['median'])} |")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("study", type=pathlib.Path, help="folder of a study, or its tradeoff.json")
     parser.add_argument("-o", "--output", type=pathlib.Path, help="picture; default: front.png in the folder")
+    parser.add_argument("--tables", action="store_true", help="references, settings and orders as Markdown, instead of the picture")
     options = parser.parse_args()
     file = options.study / "tradeoff.json" if options.study.is_dir() else options.study
     try:
@@ -91,6 +133,11 @@ def main():
         quantities = list(dict.fromkeys(r["quantity"] for r in study["references"]))
     except (OSError, ValueError, KeyError, TypeError) as error:
         parser.error(f"{file}: expected what fissure study tradeoff writes ({error})")
+    if options.tables:
+        print_references(study)
+        print_settings(study)
+        print_orders(study)
+        return
     names = list(dict.fromkeys(s["pipeline"] for s in study["settings"]))
     colours = {name: (f"C{i % 10}", MARKERS[i % len(MARKERS)]) for i, name in enumerate(names)}
     columns = min(2, len(quantities))

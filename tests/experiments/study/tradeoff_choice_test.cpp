@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-using namespace fissure;
+namespace fissure::tradeoff_choice_test {
 
 namespace {
 const double kNaN = std::nan("");
@@ -77,3 +77,5 @@ TEST(TradeoffChoice, SpreadIsMedianAndQuartilesOfWhatIsThere) {
   EXPECT_EQ(spreadOf({7}).high, 7);
   EXPECT_TRUE(std::isnan(spreadOf({kNaN}).median));
 }
+
+}  // namespace fissure::tradeoff_choice_test

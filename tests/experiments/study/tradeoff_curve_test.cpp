@@ -6,7 +6,7 @@
 #include <functional>
 #include <numbers>
 
-using namespace fissure;
+namespace fissure::tradeoff_curve_test {
 
 namespace {
 
@@ -73,3 +73,5 @@ TEST(StudyCurve, PeakIsOfMagnitudes) {
   EXPECT_TRUE(std::isnan((StudyCurve{{0, 1}, {1, std::nan("")}}).peak()));
   EXPECT_TRUE(std::isnan(StudyCurve().peak()));
 }
+
+}  // namespace fissure::tradeoff_curve_test

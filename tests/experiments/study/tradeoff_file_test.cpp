@@ -6,7 +6,7 @@
 #include "files/write_file.h"
 #include "study/tradeoff_points.h"
 
-using namespace fissure;
+namespace fissure::tradeoff_file_test {
 
 namespace {
 
@@ -118,3 +118,5 @@ TEST(TradeoffFile, RefusesWithLineAndWhatWasExpected) {
                 .find("force.hc.k is of a force law, which moves nothing"),
             std::string::npos);
 }
+
+}  // namespace fissure::tradeoff_file_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-using namespace fissure;
+namespace fissure::tradeoff_ladder_test {
 
 namespace {
 
@@ -66,3 +66,5 @@ TEST(TradeoffLadder, EqualRungsAreAReferenceWithoutAnOrder) {
   EXPECT_EQ(refinementOf(sizes, std::vector<double>{0, 0}, 0, "m").error, 0);
   EXPECT_EQ(refinementOf(sizes, std::vector<double>{0.1, 0}, 0, "m").error, 0);
 }
+
+}  // namespace fissure::tradeoff_ladder_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-using namespace fissure;
+namespace fissure::tradeoff_limits_test {
 
 namespace {
 
@@ -41,3 +41,5 @@ TEST(TradeoffLimits, RefusesOthersInOneLine) {
                           "force=inf%", "depth=1mm,depth=2mm", "depth=1mm,"})
     EXPECT_TRUE(limitErrorFor(bad).starts_with("--max-error: ")) << bad;
 }
+
+}  // namespace fissure::tradeoff_limits_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-using namespace fissure;
+namespace fissure::tradeoff_read_test {
 
 namespace {
 
@@ -62,3 +62,5 @@ TEST(ShapeError, WhatIsMissingIsNoError) {
   EXPECT_TRUE(std::isnan(largestDisplacement_m(broken)));
   EXPECT_NEAR(largestDisplacement_m(reference), 0.3, 1e-12);
 }
+
+}  // namespace fissure::tradeoff_read_test

@@ -6,7 +6,7 @@
 #include "files/write_file.h"
 #include "scenario/load.h"
 
-using namespace fissure;
+namespace fissure::tradeoff_recommend_test {
 
 TEST(TradeoffRecommend, IsTheScenarioWithItsSettingFromAnotherFolder) {
   const TemporaryFolder folder;
@@ -31,3 +31,5 @@ TEST(TradeoffRecommend, IsTheScenarioWithItsSettingFromAnotherFolder) {
   EXPECT_EQ(a.force, b.force);
   EXPECT_EQ(a.tools, b.tools);
 }
+
+}  // namespace fissure::tradeoff_recommend_test

@@ -11,7 +11,7 @@
 #include "study/tradeoff_output.h"
 #include "study/tradeoff_text.h"
 
-using namespace fissure;
+namespace fissure::tradeoff_result_test {
 
 namespace {
 
@@ -132,3 +132,5 @@ TEST(TradeoffResult, FilesHaveWhatIsKnownAndNothingElse) {
   EXPECT_EQ(settingRows(study(), of).size(), 6u);
   EXPECT_EQ(settingRows(study(), of)[5].back(), "depth not measured");
 }
+
+}  // namespace fissure::tradeoff_result_test
