@@ -63,7 +63,7 @@ class ElasticSimulation : public Simulation {
         stepped_(scenario, scene, first_poses, surfaceMasses()),
         before_m_(surface_vertices_),
         still_m_(surface_vertices_, Vec3::Zero()),
-        impulses_N_s_(surface_vertices_),
+        impulses_N_s_(surface_vertices_, Vec3::Zero()),
         pressure_(scene.bodies[0].rest.faces),
         tools_from_(first_poses.size()),
         tools_to_(first_poses.size()),
