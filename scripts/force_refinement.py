@@ -29,7 +29,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMAND = "/usr/bin/python3 scripts/force_refinement.py"
 SPHERE_M2 = 4 * math.pi * 0.03**2
 AREA_M2 = SPHERE_M2 / 128
-# Coefficients a triangle, which give about half a newton each at 10 mm; rates are zero where forces are held.
+# Coefficients per triangle, which give about half a newton each at 10 mm; rates are zero where forces are held.
 MODELS = {
     "hunt_crossley": {"k": 200, "lambda": 50, "n": 1.3},
     "linear_elastic": {"k": 50},
@@ -102,13 +102,15 @@ def held(data, subdivisions):
 def convergence(values):
     """What the last three of a series under halving of the edges say: the verdict or order, the limit, and the finest mesh's distance to it."""
     before, last = values[-2] - values[-3], values[-1] - values[-2]
-    spread = f"{100 * (max(values[-3:]) / min(values[-3:]) - 1):.1f} % spread"
-    if last * before < 0:
+    spread = f"{100 * (max(values[-3:]) / min(values[-3:]) - 1):.1f} % spread" if min(values[-3:]) > 0 else ""
+    if last == before == 0:
+        return "the same", f"{values[-1]:.4g}", "0 %"
+    if last * before <= 0:
         return "up and down", "", spread
     if abs(last) >= abs(before):
         return ("grows" if last > 0 else "falls on"), "", spread
     order = math.log2(before / last)
-    limit = values[-1] + last / (2**order - 1)
+    limit = values[-1] + last / (2**min(order, 2) - 1)  # more than linear elements and lumped forces can have is no order
     if abs(values[-1] - limit) > SLOW * abs(values[-1]):
         return f"{order:.2f}: slow", "", spread
     return f"{order:.2f}", f"{limit:.4g}", f"{100 * abs(values[-1] / limit - 1):.1f} %"
@@ -196,9 +198,9 @@ def write(folder, shell, elastic, prescribed):
 `{COMMAND}`
 
 A blade held in a ball of 30 mm, on meshes whose edges are halved from column to column; the tool's nodes are refined with the tissue.
-Magnitude of the mean force over the last {HELD_S} s, in newtons. Coefficients a triangle: {coefficient_text()}; those per area are these over
+Magnitude of the mean force over the last {HELD_S} s, in newtons. Coefficients per triangle: {coefficient_text()}; those per area are these over
 the mean triangle of 128. "Order" is that of the last three meshes (2 where an error falls as the square of the edge), "limit" what they
-extrapolate to, "from it" the error of the finest mesh by that. Where they go up and down, go on with the same differences, or where the
+extrapolate to with it, or with 2 where it is more, "from it" the error of the finest mesh by that. Where they go up and down, go on with the same differences, or where the
 finest is still more than {100 * SLOW:.0f} % from the limit, there is no limit to speak of, and the spread of the three stands there.
 
 ## A shell of springs
@@ -220,11 +222,11 @@ finest is still more than {100 * SLOW:.0f} % from the limit, there is no limit t
 ![Held forces of Hunt and Crossley's law and the reaction over the number of triangles](refinement.png)
 
 * A sum over triangles grows with their number, on both tissues, with every law and with `corotated`: it is no force of the tissue.
-* Per area it falls to a limit on the shell, with nearly second order for the paper's deformation and slowly for the corotated one. On elastic
-  tissue it still falls at 8,192 triangles: which triangles count (all with a vertex in contact) is a strip around the blade two edges wide, an
-  error of first order, and here that strip is not small beside the contact.
+* Per area it falls to a limit on the shell, with nearly second order for the paper's deformation; for the corotated one the meshes are still far
+  apart. On elastic tissue it still falls at 8,192 triangles: which triangles count (all with a vertex in contact) is a strip around the blade two
+  edges wide, an error of first order, and here that strip is not small beside the contact.
 * Kelvin and Voigt's law is the linear one where forces are held.
-* The reaction of a shell falls with the mesh (and grows as 1/dt^2 with the step). That of elastic tissue is the one total that is the same on all
+* The reaction of a shell has a limit over meshes at one step, but grows as 1/dt^2 with the step. That of elastic tissue is the one total that is the same on all
   meshes, within the spread of its row.
 * The largest pressure lies at the blade's edges, where it has no limit.
 

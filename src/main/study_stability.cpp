@@ -86,7 +86,8 @@ Verb addStability(Command study, const std::string& command_line) {
   command.option("-j,--jobs", options->slots, "simulations side by side; default: 1").between(1, 1024);
   command
       .option("--map", options->maps,
-              "this map alone (repeatable); the folder's tables hold no others then. Default: all")
+              "this map alone (repeatable); the folder's tables, but not typical/, hold no others then. "
+              "Default: all")
       .repeated()
       .notEmpty();
   command.flag("--plan", options->plan,

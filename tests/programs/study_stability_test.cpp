@@ -61,7 +61,7 @@ TEST_F(Stability, AMapThatIsNotThereIsNamed) {
       << none.err;
 }
 
-// A mesh of one and a half subdivisions there is not.
+// There is no mesh of one and a half subdivisions.
 TEST_F(Stability, WholeNumbersAreHalvedToWholeNumbers) {
   folder_.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03",
                                             "force: [{name: hc, model: hunt_crossley}]\n"));

@@ -66,7 +66,7 @@ TEST(Thinned, RowsAreFewerAndTheSummaryIsTheSame) {
   }
 }
 
-// Depth, contact and proof are those of the steps looked at; forces are those of all steps.
+// Depth and proof are those of the steps looked at; contacts and forces are those of all steps.
 TEST(Thinned, MeasurementsAreFewerAndTheRunSaysSo) {
   const Folder folder;
   folder.write("whole.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", laws_and_proof()));
@@ -84,7 +84,7 @@ TEST(Thinned, MeasurementsAreFewerAndTheRunSaysSo) {
   EXPECT_EQ(find(whole, "steps_per_measurement"), nullptr);
   for (const char* name : {"steps", "final_state_hash", "max_force_N", "max_reaction_N", "contacts_total"})
     EXPECT_EQ(find(summary, name)->value, find(whole, name)->value) << name;
-  EXPECT_NE(thin.out.find("depth, contact and proof of one step in 7 only"), std::string::npos) << thin.out;
+  EXPECT_NE(thin.out.find("depth and proof of one step in 7 only"), std::string::npos) << thin.out;
   EXPECT_EQ(thin.out.find("held, proved"), std::string::npos) << "not in each step\n" << thin.out;
 }
 

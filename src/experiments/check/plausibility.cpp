@@ -156,12 +156,11 @@ class Plausibility {
 
   void lookAtLaw(const ForceSettings& law) {
     if (law.model == ForceModel::hunt_crossley && law.coefficients.n < 1 && pushesACoupledTool(law))
-      warn(
-          "force." + law.name + ".n",
-          "is " + formatReal(law.coefficients.n) +
-              ": where contact begins the law's stiffness, k n x^(n-1), has no bound, and a tool that feels "
-              "it "
-              "one step late chatters at any step, expected at least 1 for a law that pushes a coupled tool");
+      warn("force." + law.name + ".n",
+           "is " + formatReal(law.coefficients.n) +
+               ": where contact begins the law's stiffness, k n x^(n-1), has no bound, and a tool that feels "
+               "it one step late chatters at any step, expected at least 1 for a law that pushes a coupled "
+               "tool");
     if (law.tissue) return;
     std::string missing;
     for (const LawCoefficient& of : entryOf(law.model).coefficients) {

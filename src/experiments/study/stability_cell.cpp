@@ -148,7 +148,7 @@ bool StabilityCells::lastAxisIsWhole() const {
   const std::vector<std::string> ends = axisValues(map_.axes.back());
   const double first = *toReal(ends[0]), second = *toReal(ends[1]);
   double between = first + 0.37 * (second - first);
-  if (between == std::round(between)) between = first + 0.41 * (second - first);
+  if (between == std::round(between)) between += second > first ? 0.5 : -0.5;
   return isTaken(ends[0]) && !isTaken(formatReal(between));
 }
 

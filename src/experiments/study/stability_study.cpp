@@ -220,6 +220,18 @@ void StabilityStudy::judgeAlone(StabilityPanel& panel, int slots, ProgressDispla
   }
 }
 
+/// Whether the scenario takes these values; what multiplies whole numbers need not be one between two that
+/// do.
+bool StabilityStudy::isCell(const StabilityPanel& panel, const std::vector<std::string>& values) const {
+  if (panel.map->axes.back().multiplies.empty()) return true;
+  try {
+    cellsOf(panel).cell(values);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
 /// Adds the cells between neighbours of different classes; their number.
 std::size_t StabilityStudy::refine(StabilityPanel& panel, int round) const {
   if (panel.map->axes.back().values) return 0;
@@ -235,8 +247,9 @@ std::size_t StabilityStudy::refine(StabilityPanel& panel, int round) const {
   for (const StabilityBoundary& boundary : panel.boundaries) {
     const std::optional<double> place = nextPlace(boundary, settings_.refine_to, panel.whole_numbers);
     if (!place) continue;
-    wanted.push_back(boundary.others);
-    wanted.back().push_back(formatReal(*place));
+    std::vector<std::string> values = boundary.others;
+    values.push_back(formatReal(*place));
+    if (isCell(panel, values)) wanted.push_back(std::move(values));
   }
   addCells(panel, wanted, round);
   return wanted.size();

@@ -65,6 +65,7 @@ class StabilityStudy {
   void addCells(StabilityPanel& panel, const std::vector<std::vector<std::string>>& points, int round) const;
   void classifyCells(StabilityPanel& panel) const;
   void judgeAlone(StabilityPanel& panel, int slots, ProgressDisplay& display) const;
+  bool isCell(const StabilityPanel& panel, const std::vector<std::string>& values) const;
   std::size_t refine(StabilityPanel& panel, int round) const;
 
   StabilitySettings settings_;

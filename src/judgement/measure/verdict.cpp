@@ -89,7 +89,7 @@ std::vector<Remark> remarksOf(const Summary& summary) {
   if (const std::string what = textIn(summary, "not_measured"); !what.empty())
     remarks.push_back({false, "not measured: " + what});
   if (const double every = numberIn(summary, "steps_per_measurement").value_or(1); every > 1)
-    remarks.push_back({true, fmt::format("depth, contact and proof of one step in {:.0f} only "
+    remarks.push_back({true, fmt::format("depth and proof of one step in {:.0f} only "
                                          "(measure.every): what came in between was not seen",
                                          every)});
   if (const std::string tools = textIn(summary, "untouched_tools"); !tools.empty())

@@ -98,7 +98,10 @@ TEST(StabilityCell, AnAxisOverWholeNumbersIsKnown) {
   };
   EXPECT_TRUE(isWhole("bodies.ball.shape.subdivisions", {0, 4, 3}));
   EXPECT_TRUE(isWhole("tools.blade.nodes.resolution.0", {2, 32, 2}));
+  EXPECT_TRUE(isWhole("bodies.ball.solver.position_iterations", {100, 500, 5}));
+  EXPECT_TRUE(isWhole("bodies.ball.solver.position_iterations", {500, 100, 5}));
   EXPECT_FALSE(isWhole("bodies.ball.mass_kg", {1, 3, 3}));
+  EXPECT_FALSE(isWhole("bodies.ball.mass_kg", {100, 500, 5}));
   EXPECT_FALSE(isWhole("world.gravity_m_s2.1", {-981, 0, 4}));
 }
 

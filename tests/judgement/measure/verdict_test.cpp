@@ -86,9 +86,8 @@ TEST(Remarks, AreMadeOfWhatTheNumbersDoNotSay) {
   Summary unsound = with("unsound_tissue", std::string("vessel explodes"));
   unsound.push_back({"first_unsound_step", 12LL});
   EXPECT_EQ(only(unsound), "unsound tissue, first in step 12: vessel explodes");
-  EXPECT_EQ(
-      only(with("steps_per_measurement", 10LL)),
-      "depth, contact and proof of one step in 10 only (measure.every): what came in between was not seen");
+  EXPECT_EQ(only(with("steps_per_measurement", 10LL)),
+            "depth and proof of one step in 10 only (measure.every): what came in between was not seen");
   EXPECT_EQ(
       only(with("laws_of_whole_probes", std::string("liver (pig_liver_1)"))),
       "force of liver (pig_liver_1): fitted to a whole probe, here summed over triangles; its exponent is "

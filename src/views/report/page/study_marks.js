@@ -85,7 +85,10 @@ function axisOver(values, logarithmic, show = short) {
     const margin = max > min ? (max / min) ** 0.07 : 2;
     [min, max] = [min / margin, max * margin];
     const whole = Math.log(max / min);
-    return {at: v => Math.log(v / min) / whole, marks: () => valueMarks(min, max).map(v => [v, show(v)])};
+    return {at: v => Math.log(v / min) / whole, marks: () => {
+      const marks = valueMarks(min, max);
+      return (marks.length > 1 ? marks : linearMarks(min, max, 4)).map(v => [v, show(v)]);
+    }};
   }
   const margin = max > min ? 0.07 * (max - min) : Math.abs(max) || 1;
   [min, max] = [min - margin, max + margin];
