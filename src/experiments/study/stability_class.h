@@ -46,7 +46,7 @@ struct StabilityCriteria {
 struct CellCurve {
   std::string name;       ///< "kinetic_energy", or a force as criteria name it: "reaction", a law, a coupling
   bool is_force = false;  ///< a law's, "reaction" or that of a coupling
-  std::vector<double> values;  ///< one per row of the record: the initial state, then one a step
+  std::vector<double> values;  ///< one per row of the record: the initial state, then one per step
 };
 
 /// All that the criteria look at of a cell's run.

@@ -67,7 +67,8 @@ std::string sweepName(const StabilityPanel& panel, const char* ending) {
   return name + ending;
 }
 
-/// Of the maps, those with these names, in the order of the file; all where `names` is empty.
+/// Removes the maps that `names` does not hold; an empty `names` keeps all. Throws InputError for an unknown
+/// name.
 void keepOnly(const std::vector<std::string>& names, std::vector<StabilityMap>& maps, const fs::path& file) {
   if (names.empty()) return;
   std::vector<std::string> known;

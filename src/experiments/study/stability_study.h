@@ -38,8 +38,8 @@ struct StabilityPanel {
 /// study that was stopped, killed or run elsewhere goes on.
 class StabilityStudy {
  public:
-  /// Of the study's maps, those named in `maps`; empty for all. Throws InputError for a study whose scenarios
-  /// or cells are not valid, and for a name that no map has.
+  /// Studies the maps that `maps` names, or all where it is empty. Throws InputError for a study whose
+  /// scenarios or cells are not valid, and for a name that no map has.
   StabilityStudy(const std::filesystem::path& file, const std::filesystem::path& folder,
                  const std::vector<std::string>& maps, const std::string& command_line);
 

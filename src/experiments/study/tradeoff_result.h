@@ -37,7 +37,7 @@ struct SettingCost {
 
 /// One setting with one pipeline.
 struct JudgedSetting {
-  std::vector<std::string> values;  ///< one a path
+  std::vector<std::string> values;  ///< one per path
   std::string pipeline;
   RunStatus status;
   std::filesystem::path file;

@@ -97,7 +97,7 @@ std::string SweepPlan::key(std::size_t point, std::size_t entry, bool laws) cons
 
 void SweepPlan::makeTasks() {
   struct Group {
-    std::size_t first_task;  ///< one a repeat
+    std::size_t first_task;  ///< one per repeat
     std::unordered_map<std::string, std::size_t> laws;
   };
   std::unordered_map<std::string, Group> groups;

@@ -28,7 +28,7 @@ class GaugeProbe : public Probe {
   };
 
   std::vector<Gauge> gauges_;  ///< of all bodies; their vertices count over all bodies
-  std::vector<Range> ranges_;  ///< one a gauge
+  std::vector<Range> ranges_;  ///< one per gauge
   std::size_t column_ = 0;
 };
 

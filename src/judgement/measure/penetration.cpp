@@ -25,7 +25,8 @@ constexpr double kSlack = 1e-4;
 /// make one fall.
 constexpr double kReach_m = 2 * kStandOffLimit_m;
 
-/// Of so few samples of a cluster each is looked at by itself.
+/// A cluster with at most this many samples left is not bounded as a whole: each sample is looked at by
+/// itself.
 constexpr std::size_t kFewSamples = 3;
 
 /// Nothing is as near as this.

@@ -19,7 +19,7 @@ class ToolProbe : public Probe {
 
  private:
   std::vector<std::string> names_;
-  std::vector<MotionPeaks> peaks_;  ///< one a tool
+  std::vector<MotionPeaks> peaks_;  ///< one per tool
   std::size_t position_column_ = 0;
   std::size_t quaternion_column_ = 0;
 };

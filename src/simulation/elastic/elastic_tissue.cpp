@@ -83,8 +83,8 @@ struct ElasticTissue::Arrays {
   CriticalStep critical;
   std::size_t surface_vertices = 0;
   Vec3 gravity_m_s2 = Vec3::Zero();
-  std::vector<StretchPass> stretches;  ///< one a material: scratch
-  std::vector<Growth> growths;         ///< one a material, as the last substepsFor() found them
+  std::vector<StretchPass> stretches;  ///< one per material: scratch
+  std::vector<Growth> growths;         ///< one per material, as the last substepsFor() found them
   std::vector<Growth> foreseen;        ///< scratch of substepsFor()
   double step_s = 0;                   ///< of the last substepsFor()
   int substeps = 0;                    ///< that it gave

@@ -211,7 +211,7 @@ class ElasticSimulation : public Simulation {
   std::vector<Vec3> impulses_N_s_;  ///< per surface vertex: of its contacts in the step
   ContactPressure pressure_;
   std::vector<ToolState> tools_from_, tools_to_;
-  std::vector<Vec3> pushed_m_s_;  ///< one a tool: change of its velocity by contacts in the step
+  std::vector<Vec3> pushed_m_s_;  ///< one per tool: change of its velocity by contacts in the step
   long long substeps_ = 0;
   double critical_step_s_ = 0, elements_s_ = 0;
 };

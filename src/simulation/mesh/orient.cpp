@@ -17,7 +17,7 @@ struct Neighbour {
 /// Triangles that hang together by edges of exactly two.
 struct Piece {
   std::vector<int> faces;
-  std::vector<char> turned;  ///< against the first, to agree with it; one a face
+  std::vector<char> turned;  ///< against the first, to agree with it; one per face
   bool closed = true;        ///< and consistent as it is
 };
 

@@ -11,7 +11,7 @@ namespace fissure {
 
 /// One benchmark of one commit on one machine.
 struct BenchCase {
-  std::vector<double> times_us;            ///< of a call, one a repetition
+  std::vector<double> times_us;            ///< of a call, one per repetition
   std::map<std::string, double> counters;  ///< of a call
 };
 
@@ -49,7 +49,7 @@ BenchFile readBenchFile(const std::filesystem::path& file);
 
 /// What a folder holds of the history of benchmarks.
 struct BenchHistory {
-  std::vector<BenchFile> files;  ///< one a commit and machine, the oldest commit first
+  std::vector<BenchFile> files;  ///< one per commit and machine, the oldest commit first
   struct Problem {
     std::string file;  ///< below the folder
     std::string text;  ///< one line
