@@ -8,13 +8,15 @@ FOLDER is what `fissure study stability configs/studies/stability_quick.yaml` ha
 integrated by implicit Euler, is pushed back by s k x of the step before, where k is a law's coefficient and s the law's newtons a metre
 and k. Its way is x[n+1] (m/h^2 + C/h + K) - x[n] (2 m/h^2 + C/h - s k) + x[n-1] m/h^2 = 0, whose roots leave the unit circle, at -1,
 where s k = 4 m/h^2 + 2 C/h + K. s is measured in the last stable run, of steps in which the tool turns round each time: tissue that
-neighbours the blade follows a slow press but not that.
+neighbours the blade follows a slow press but not that. Without a damper, below that limit, the tool rings at the angle of these roots.
+Explicit integration without damping is stable up to 2 over the highest frequency of the mesh, which `fissure plan` names.
 """
 import argparse
 import csv
 import json
 import math
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -78,13 +80,57 @@ def modulus_forces(folder):
     return sorted(rows)
 
 
-def print_tables(folder):
+def ringing(folder):
+    """A row for each cell: K, s k of the tool at rest, the frequency of the roots, the frequency measured."""
+    rows = []
+    for cell in panels(folder, "oscillator")[0]["cells"]:
+        stiffness_N_m, k = map(float, cell["values"])
+        step_s, s = resting_slope(folder / cell["result"], k)
+        a = MASS_KG / step_s**2
+        root = np.roots([a + stiffness_N_m, s * k - 2 * a, a])[0]
+        measured_Hz = float(cell["frequency_Hz"]) if cell["class"] == "chattering" else math.nan
+        rows.append((stiffness_N_m, s * k, abs(np.angle(root)) / (2 * math.pi * step_s), measured_Hz))
+    return rows
+
+
+def resting_slope(result, k):
+    """The step, and the law's newtons a metre and k in the second half of a run, in which the tool swings a little."""
+    run = h5py.File(result, "r")["pipelines/prescribed"]
+    law = list(run["law"].asstr()[:]).index("lin")
+    half = len(run["time"]) // 2
+    way, force = run["tool_position"][half:, 0, 1], run["force"][law][half:, 1]
+    return float(run["time"][1] - run["time"][0]), float(-np.polyfit(way, force, 1)[0] / k)
+
+
+def explicit_limits(folder, program):
+    """A row for each modulus: the step that `fissure plan` allows, the last step below and the first above which tissue alone gives way."""
+    rows = []
+    scene = str(ROOT / "configs/studies/scenes/ball_explicit.yaml")
+    panel = panels(folder, "explicit_limit")[0]
+    for modulus in sorted({cell["values"][0] for cell in panel["cells"]}, key=float):
+        plan = subprocess.run([program, "plan", scene, "--set", f"bodies.ball.elastic.youngs_modulus_Pa={modulus}"],
+                              capture_output=True, text=True, check=True).stdout
+        allowed, unit = re.search(r"fastest vibration of the mesh allows (\S+) (\S+);", plan).groups()
+        broken = {"unsound_alone", "too_slow", "non_finite"}   # Bullet's solver takes ever longer where values grow
+        steps = [(float(cell["values"][1]), cell["class"] in broken) for cell in panel["cells"] if cell["values"][0] == modulus]
+        rows.append((float(modulus), float(allowed) * {"s": 1, "ms": 1e-3, "us": 1e-6}[unit], max(s for s, bad in steps if not bad),
+                     min(s for s, bad in steps if bad)))
+    return rows
+
+
+def print_tables(folder, program):
     print("| h, ms | s | k by the roots | k measured, stable to unstable |\n|---|---|---|---|")
     for step_s, s, predicted, below, above in late_law(folder):
         print(f"| {1000 * step_s:g} | {s:.3f} | {predicted:.4g} | {below:.4g} to {above:.4g} |")
     print("\n| E, Pa | last reaction / E, mm2 |\n|---|---|")
     for modulus, area in modulus_forces(folder):
         print(f"| {modulus:.4g} | {1e6 * area:.2f} |")
+    print("\n| K, N/m | s k, N/m | frequency by the roots, Hz | measured, Hz |\n|---|---|---|---|")
+    for stiffness, s_k, predicted, measured in ringing(folder):
+        print(f"| {stiffness:g} | {s_k:.4g} | {predicted:.2f} | {measured:.2f} |")
+    print("\n| E, Pa | 2 over the highest frequency, ms | measured, sound to unsound, ms |\n|---|---|---|")
+    for modulus, allowed, below, above in explicit_limits(folder, program):
+        print(f"| {modulus:.4g} | {1000 * allowed:.4g} | {1000 * below:.4g} to {1000 * above:.4g} |")
 
 
 def without_times(path):
@@ -118,6 +164,10 @@ def check(program):
             expect(below / 1.05 < predicted < above * 1.05, f"late law at {step_s} s: {predicted:.4g}, measured {below:.4g} to {above:.4g}")
             expect(abs(critical_s_k(step_s) - (4 * MASS_KG / step_s**2 + 2 * DAMPING_N_S_M / step_s + STIFFNESS_N_M)) < 1e-6 * s * predicted,
                    f"roots and closed form at {step_s} s")
+        for stiffness, _, predicted, measured in ringing(folder):
+            expect(abs(measured - predicted) < 0.02 * predicted, f"ringing at {stiffness} N/m: {predicted:.4g} Hz, measured {measured:.4g} Hz")
+        for modulus, allowed, below, above in explicit_limits(folder, program):
+            expect(below / 1.02 < allowed < above * 1.02, f"explicit limit of {modulus} Pa: {allowed:.4g} s, measured {below:.4g} to {above:.4g} s")
         areas = [area for modulus, area in modulus_forces(folder) if modulus >= 1e5]
         expect(max(areas) < 1.02 * min(areas), f"reaction over modulus: {areas}")
         for row in rows:
@@ -145,7 +195,7 @@ def main():
         return check(options.program)
     if not options.folder:
         parser.error("no folder, expected what `fissure study stability` has filled")
-    print_tables(options.folder)
+    print_tables(options.folder, options.program)
     return 0
 
 

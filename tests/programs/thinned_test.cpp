@@ -7,6 +7,7 @@
 #include "scenarios.h"
 #include "store/read_series.h"
 #include "store/result_file.h"
+#include "sweeps.h"
 
 namespace fissure::programs::thinned_test {
 
@@ -113,6 +114,19 @@ TEST(Thinned, SnapshotsBetweenRowsAreRefused) {
   folder.write("t.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03",
                                        "record: {every: 10, snapshots_every_s: 0.02}\n"));
   EXPECT_EQ(runFissure(folder, {"validate", "t.yaml"}).code, 0);
+}
+
+TEST(Thinned, CurvesThatBeginWithFirstContactNeedARowPerStep) {
+  const Folder folder;
+  folder.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "0.03", "record: {every: 7}\n"));
+  folder.write("s.yaml", sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.2]}]\n"
+                                 "curves: {quantities: [indentation], every_s: 0.007}\n"));
+  const Outcome outcome = runFissure(folder, {"sweep", "s.yaml", "-o", "out"});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_NE(outcome.err.find("the record has a row every 7 steps, expected every step for the curve "
+                             "`indentation`, which begins with the first in contact"),
+            std::string::npos)
+      << outcome.err;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <numeric>
 
@@ -101,12 +102,16 @@ class SimulatedModel : public LawModel {
   double deformation_scale_m_ = 0, rate_scale_m_s_ = 0;
 };
 
+std::size_t firstTouchedRow(const ForceInputs& inputs) {
+  const std::vector<std::size_t>& sizes = inputs.row_sizes;
+  return static_cast<std::size_t>(
+      std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }) - sizes.begin());
+}
+
 /// Steps from the first in contact to the deepest that go deeper than all before.
 std::vector<std::size_t> deepeningSteps(const SimulatedRun& run) {
-  const std::vector<std::size_t>& sizes = run.inputs.row_sizes;
-  const auto touched = std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; });
   std::vector<std::size_t> steps;
-  for (auto step = static_cast<std::size_t>(touched - sizes.begin()); step < sizes.size(); ++step)
+  for (std::size_t step = firstTouchedRow(run.inputs); step < run.inputs.row_sizes.size(); ++step)
     if (steps.empty() || run.way_m[step] > run.way_m[steps.back()]) steps.push_back(step);
   return steps;
 }
@@ -173,13 +178,34 @@ SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::stri
       read.laws.size() != read.inputs.laws.size())
     throw InputError(inFile(file), fmt::format("run {} has other tool positions than force_inputs", name));
   const std::vector<double> positions_m = reader.all(*position);
-  const std::vector<std::size_t>& sizes = read.inputs.row_sizes;
-  const auto touched = static_cast<std::size_t>(
-      std::find_if(sizes.begin(), sizes.end(), [](std::size_t size) { return size > 0; }) - sizes.begin());
-  const auto at = [&](std::size_t step) { return Vec3::Map(&positions_m[step * position->columns()]); };
-  for (std::size_t step = 0; step < steps; ++step)
-    read.way_m.push_back(step <= touched ? 0 : (at(step) - at(touched)).norm());
+  std::vector<Vec3> tool_m;
+  for (std::size_t row = 0; row < steps; ++row)
+    tool_m.emplace_back(Vec3::Map(&positions_m[row * position->columns()]));
+  const auto same = std::find_if(info.pipelines.begin(), info.pipelines.end(),
+                                 [&](const PipelineResult& one) { return one.name == name; });
+  double contact_s = std::numeric_limits<double>::quiet_NaN();
+  for (const SummaryValue& value : same->summary)
+    if (const auto* number = std::get_if<double>(&value.value);
+        number && value.name == "first_contact_time_s")
+      contact_s = *number;
+  read.way_m = waySinceContact(tool_m, read.inputs, contact_s);
   return read;
+}
+
+std::vector<double> waySinceContact(const std::vector<Vec3>& tool_m, const ForceInputs& inputs,
+                                    double contact_s) {
+  const std::size_t touched = firstTouchedRow(inputs);
+  std::vector<double> way_m(tool_m.size(), 0);
+  if (touched == tool_m.size()) return way_m;
+  Vec3 from_m = tool_m[touched];
+  if (touched > 0) {
+    const double before_s = inputs.times_s[touched - 1], after_s = inputs.times_s[touched];
+    if (before_s < contact_s && contact_s < after_s)
+      from_m = tool_m[touched - 1] +
+               (contact_s - before_s) / (after_s - before_s) * (tool_m[touched] - tool_m[touched - 1]);
+  }
+  for (std::size_t row = touched; row < tool_m.size(); ++row) way_m[row] = (tool_m[row] - from_m).norm();
+  return way_m;
 }
 
 SimulatedFit makeSimulatedFit(ForceModel law, const SimulatedRun& run, const MeasuredCurve& curve,

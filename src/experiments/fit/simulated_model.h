@@ -17,7 +17,7 @@ namespace fissure {
 struct SimulatedRun {
   ForceInputs inputs;
   std::vector<ForceSettings> laws;  ///< laws of its scenario
-  /// [step] straight distance of the first tool from its position in the first step with contact; 0 before.
+  /// [step] straight distance of the first tool from its position at first contact; 0 before.
   std::vector<double> way_m;
 };
 
@@ -27,6 +27,12 @@ std::string onlyRun(const ResultInfo& info, const std::filesystem::path& file);
 /// Reads a run of a result; an empty name stands for the only run. Throws InputError when there is no such
 /// run, or it was not recorded with `record: {force_inputs: true}`.
 SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::string& run);
+
+/// The way of a tool since it first met tissue, per row, from its positions. `contact_s` is the time of that
+/// step, which has no row of its own where rows are of one step in several (`record: {every}`): the position
+/// then is interpolated. NaN: it is that of the first row with contact.
+std::vector<double> waySinceContact(const std::vector<Vec3>& tool_m, const ForceInputs& inputs,
+                                    double contact_s);
 
 /// A law summed over the triangles of a simulation, as a model of a measured curve.
 struct SimulatedFit {

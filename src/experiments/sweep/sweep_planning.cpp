@@ -291,6 +291,13 @@ class Planner {
         checkLoaded(base_file_, std::move(loaded), {manifest_.settings.pipelines, {}, true, false});
     const std::optional<SweepCurves>& curves = manifest_.settings.curves;
     if (!curves) return;
+    const auto& quantities = curves->quantities;
+    const int every = stepsPerRow(checked.loaded.scenario.record, checked.loaded.scenario.measure);
+    if (every > 1 && std::find(quantities.begin(), quantities.end(), "indentation") != quantities.end())
+      throw InputError(
+          fmt::format("the record has a row every {} steps, expected every step for the curve "
+                      "`indentation`, which begins with the first in contact",
+                      every));
     curves_until_s_ = std::max({checked.duration_s, curves->every_s, curves_until_s_.value_or(0)});
   }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "measure/statistics.h"
+#include "report/summary_values.h"
 #include "store/read_series.h"
 
 namespace fissure {
@@ -40,7 +41,8 @@ PageJson stepTimesJson(const std::filesystem::path& file, const ResultInfo& info
     const bool stored = std::any_of(info.datasets.begin(), info.datasets.end(),
                                     [&](const DatasetInfo& dataset) { return dataset.path == path; });
     if (!stored) continue;
-    PageJson json = {{"run", r}};
+    const SummaryValue* steps = findValue(runs[r].result->summary, "steps");
+    PageJson json = {{"run", r}, {"steps_of_run", steps ? numberOf(*steps).value_or(0) : 0}};
     json.update(distributionJson(readSeries(file, path).values));
     if (json["steps"] != 0) all.push_back(json);
   }

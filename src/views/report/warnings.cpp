@@ -104,8 +104,8 @@ void addTexts(const Summary& summary, std::vector<Warning>& warnings) {
   }
 }
 
-/// In how many steps `is` holds for some column of a quantity, as text; empty: in none. Where not every step
-/// has a row there may be more.
+/// In how many steps `is` holds for some column of a quantity, as "3 steps"; empty: in none. Where not every
+/// step has a row there may be more.
 std::string stepsWhere(const ReportRun& run, const std::string& name, std::size_t first, std::size_t stride,
                        const std::function<bool(double)>& is) {
   const StoredQuantity* quantity = run.reader.find(name);
@@ -116,7 +116,7 @@ std::string stepsWhere(const ReportRun& run, const std::string& name, std::size_
   if (count == 0) return {};
   const SummaryValue* steps = findValue(run.result->summary, "steps");
   const bool thinned = steps && numberOf(*steps).value_or(0) >= static_cast<double>(run.times_s.size());
-  return (thinned ? "at least " : "") + std::to_string(count);
+  return (thinned ? "at least " : "") + std::to_string(count) + (count == 1 ? " step" : " steps");
 }
 
 void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
@@ -124,11 +124,10 @@ void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
   if (const std::string steps =
           stepsWhere(run, "penetration_depth", 0, 1, [](double v) { return !std::isfinite(v); });
       !steps.empty())
-    warnings.push_back({true, fmt::format("the penetration depth of {} steps is no number", steps)});
+    warnings.push_back({true, fmt::format("the penetration depth of {} is no number", steps)});
   if (const std::string steps = stepsWhere(run, "capped_count", 0, 1, positive); !steps.empty())
     warnings.push_back(
-        {false,
-         fmt::format("capped: in {} steps a contact's displacement hit the limit of one step", steps)});
+        {false, fmt::format("capped: in {} a contact's displacement hit the limit of one step", steps)});
   const StoredQuantity* clamped = run.reader.find("adhesion_clamped");
   if (!clamped || clamped->axes.size() != 1) return;
   const StoredAxis& laws = clamped->axes.front();
@@ -137,9 +136,8 @@ void addSeries(const ReportRun& run, std::vector<Warning>& warnings) {
         !steps.empty())
       warnings.push_back(
           {false,
-           fmt::format(
-               "clamped: in {} steps law {} would have pulled on some triangles, and was set to 0 there",
-               steps, law < laws.labels.size() ? laws.labels[law] : std::to_string(law))});
+           fmt::format("clamped: in {} law {} would have pulled on some triangles, and was set to 0 there",
+                       steps, law < laws.labels.size() ? laws.labels[law] : std::to_string(law))});
 }
 
 std::vector<Warning> warningsOf(const ReportRun& run) {

@@ -201,5 +201,26 @@ TEST(SimulatedModel, RefusesWhatDoesNotMeet) {
             "the simulation deforms no tissue where the curve is, expected one that does");
 }
 
+TEST(WaySinceContact, BeginsWhereTheToolWasThoughThatStepHasNoRow) {
+  ForceInputs inputs;
+  std::vector<Vec3> tool_m;
+  for (int row = 0; row < 6; ++row) {
+    inputs.times_s.push_back(0.01 * row);
+    inputs.row_sizes.push_back(row >= 3 ? 2 : 0);
+    tool_m.emplace_back(0, -0.001 * row, 0);
+  }
+  const auto way_m = [&](double contact_s) { return waySinceContact(tool_m, inputs, contact_s); };
+  const std::vector<double> between = way_m(0.024);
+  EXPECT_EQ(between[2], 0);
+  EXPECT_NEAR(between[3], 0.0006, 1e-15);
+  EXPECT_NEAR(between[5], 0.0026, 1e-15);
+  for (const double at_a_row_s : {0.03, 0.0, std::numeric_limits<double>::quiet_NaN()}) {
+    EXPECT_EQ(way_m(at_a_row_s)[3], 0);
+    EXPECT_NEAR(way_m(at_a_row_s)[5], 0.002, 1e-15);
+  }
+  inputs.row_sizes.assign(6, 0);
+  EXPECT_EQ(way_m(0.024), std::vector<double>(6, 0));
+}
+
 }  // namespace
 }  // namespace fissure::simulated_model_test

@@ -86,7 +86,7 @@ TEST(PageData, SeriesAreTheResults) {
   EXPECT_EQ((*force)["variants"][1]["label"], "linear");
   const double last = (*force)["variants"][1]["series"][0]["values"].back();
   EXPECT_NEAR(last, std::sqrt(149.0 * 149.0 + 149.1 * 149.1 + 149.2 * 149.2), 1e-3);
-  EXPECT_TRUE(hasWarning(page, "the penetration depth of 1 steps is no number", true));
+  EXPECT_TRUE(hasWarning(page, "the penetration depth of 1 step is no number", true));
   EXPECT_TRUE(hasWarning(page, "the stored scenario cannot be read", false)) << "its text is no scenario";
   EXPECT_EQ(page["provenance"][0], PageJson({"version", "1.2.3"}));
 }
@@ -104,7 +104,12 @@ TEST(PageData, OnlyWhatIsPresentIsShown) {
 TEST(PageData, StepsWithoutRowsMayBeMore) {
   const ScratchFolder folder;
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(5, false)), "fissure test", "");
-  EXPECT_TRUE(hasWarning(page, "the penetration depth of at least 1 steps is no number", true));
+  EXPECT_TRUE(hasWarning(page, "the penetration depth of at least 1 step is no number", true));
+  for (const PageJson& times : page["step_times"]["runs"]) {
+    EXPECT_EQ(times["steps_of_run"], 12);
+    EXPECT_LT(times["steps"], 12);
+  }
+  EXPECT_FALSE(page["step_times"]["runs"].empty());
 }
 
 // The sample's worst depth is 250 mm: that its run has finished is nothing good.
@@ -134,7 +139,7 @@ TEST(PageData, ACrashedRunIsOnTopAndTheOtherIsShown) {
   const RunStatus crashed = {RunEnd::crashed, "killed by signal 11 at step 3"};
   const PageJson page = resultPage(writeSample(folder, makeSampleRun(50, true), crashed), "fissure test", "");
   ASSERT_FALSE(page["warnings"].empty());
-  EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 steps is no number");
+  EXPECT_EQ(page["warnings"][0]["text"], "the penetration depth of 1 step is no number");
   EXPECT_TRUE(hasWarning(page, "crashed: killed by signal 11 at step 3", true));
   EXPECT_TRUE(hasWarning(page, "it left no series", true));
   EXPECT_EQ(page["runs"][1]["end"]["status"], "crashed");

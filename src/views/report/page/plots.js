@@ -254,13 +254,13 @@ function stepTimeSection() {
     ...[one.p50_us, one.p99_us, one.max_us].map(value => element('td', {}, microseconds(value))),
     element('td', {class: one.over_budget > 0 ? 'bad' : ''},
       one.over_budget + ' (' + (100 * one.over_budget / one.steps).toPrecision(2) * 1 + ' %)'),
-    element('td', {}, String(one.steps))));
+    element('td', {}, one.steps < one.steps_of_run ? one.steps + ' of ' + one.steps_of_run : String(one.steps))));
   section('Step time', element('div', {class: 'plots wide'},
     element('figure', {class: 'plot', 'data-plot': 'step_time'},
       element('figcaption', {}, element('h3', {}, 'Steps within a time, %'),
         element('span', {class: 'note'},
           'wall time of a step without measuring and writing; the line is the 1 ms that a haptic loop has')),
       holder),
-    headedTable('numbers', ['run', 'median', '99 % below', 'longest', 'above 1 ms', 'steps'], rows)));
+    headedTable('numbers', ['run', 'median', '99 % below', 'longest', 'above 1 ms', 'steps timed'], rows)));
   drawStepTimes(holder);
 }
