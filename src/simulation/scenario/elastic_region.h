@@ -12,7 +12,7 @@ namespace fissure {
 inline constexpr std::size_t most_regions = 64;
 
 /// The largest Poisson's ratio that a material may have.
-inline constexpr double most_poissons_ratio = 0.49;
+inline constexpr double most_poissons_ratio = 0.4999;
 
 /// A part of an elastic body with its own material coefficients and the body's material law, as a vessel in a
 /// liver. Exactly one of tag, box and capsule is given, in the frame of the body's shape: the region has the

@@ -15,11 +15,11 @@ TEST(RigidMotion, RotationGivesNoForce) {
   const BlockMesh block = makeBlock({.cells = {3, 4, 2}, .irregularity = 0.4});
   const Mat3 turn = Eigen::AngleAxisd(2, Vec3(1, -2, 0.5).normalized()).toRotationMatrix();
   for (const MaterialModel model : kModels)
-    for (const double ratio : {0.0, 0.3, 0.49}) {
+    for (const double ratio : {0.0, 0.3, 0.49, 0.4999}) {
       ElasticTissue tissue(block.mesh, {model, 1e4, ratio, 1000}, {}, block.surface_vertices, Vec3::Zero());
       for (Vec3& position_m : tissue.positions_m()) position_m = turn * position_m + Vec3(1, 2, 3);
       // A strain of 1e-3 gives forces of 1e-3 E times the area of a cell, some 1e-3 N.
-      for (const Vec3& force_N : internalForces_N(tissue)) EXPECT_LT(force_N.norm(), 1e-10) << ratio;
+      for (const Vec3& force_N : internalForces_N(tissue)) EXPECT_LT(force_N.norm(), 2e-10) << ratio;
     }
 }
 
@@ -84,7 +84,7 @@ TEST(Recovery, OfAnElementThatIsCrushedOrInverted) {
   const TetrahedralMesh rest = {{{0, 0, 0}, {0.01, 0, 0}, {0, 0.01, 0}, {0.003, 0.002, 0.012}},
                                 {{0, 1, 2, 3}}};
   for (const MaterialModel model : kRecovering)
-    for (const double ratio : {0.0, 0.3, 0.45, 0.49}) {
+    for (const double ratio : {0.0, 0.3, 0.45, 0.49, 0.4999}) {
       for (const bool inverted : {false, true}) {
         ElasticTissue tissue(rest, {model, 1e4, ratio, 1000, 1}, {}, 4, Vec3::Zero());
         if (inverted)
