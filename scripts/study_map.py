@@ -63,7 +63,7 @@ def draw(axes, panel):
     axes.set_xlabel(last["path"], fontsize=8)
     axes.set_ylabel(panel["axes"][0]["path"] if len(rows) > 1 else "", fontsize=7)
     axes.set_title(f"{panel['map']}, {panel['pipeline']}", fontsize=9)
-    axes.tick_params(labelsize=7)
+    axes.tick_params(which="both", labelsize=7)
     axes.grid(alpha=0.25)
 
 
