@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
+#include "sweep/sweep_planning.h"
 #include "text/text_file.h"
 
 namespace fissure {
@@ -26,13 +27,27 @@ void take(const ordered_json& json, const char* key, std::optional<T>& value) {
   if (!json.at(key).is_null()) value = json.at(key).get<T>();
 }
 
+/// A whole number from `least` to `most`.
+int integerIn(const ordered_json& json, const char* key, int least, int most) {
+  const ordered_json& value = json.at(key);
+  if (!value.is_number_integer() || value < least || value > most)
+    throw std::out_of_range(fmt::format("{} is not from {} to {}", key, least, most));
+  return value.get<int>();
+}
+
+/// The enumerator of a choice that `table` lists.
+template <class Enum>
+Enum choiceIn(const ordered_json& json, const char* key, const std::vector<CatalogEntry>& table) {
+  return static_cast<Enum>(integerIn(json, key, 0, static_cast<int>(table.size()) - 1));
+}
+
 void readSettings(const ordered_json& json, SweepSettings& settings) {
   settings.name = json.at("name");
   settings.description = json.at("description");
   settings.source = json.at("sweep_source");
-  settings.design = static_cast<SweepDesign>(json.at("design").get<int>());
-  settings.keep = static_cast<SweepKeep>(json.at("keep").get<int>());
-  settings.repeats = json.at("repeats");
+  settings.design = choiceIn<SweepDesign>(json, "design", sweepDesigns());
+  settings.keep = choiceIn<SweepKeep>(json, "keep", sweepKeeps());
+  settings.repeats = integerIn(json, "repeats", 1, static_cast<int>(max_sweep_runs));
   take(json.at("limits"), "time_s", settings.limits.time_s);
   take(json.at("limits"), "memory_mb", settings.limits.memory_mib);
   if (const ordered_json& fit = json.at("fit"); !fit.is_null()) {
@@ -54,7 +69,11 @@ void readSettings(const ordered_json& json, SweepSettings& settings) {
 SweepPoints readPoints(const ordered_json& json) {
   auto paths = json.at("paths").get<std::vector<std::string>>();
   auto texts = json.at("texts").get<std::vector<std::string>>();
-  auto points = json.at("points").get<std::vector<std::size_t>>();
+  std::vector<std::size_t> points;
+  for (const ordered_json& text : json.at("points")) {
+    if (!text.is_number_unsigned()) throw std::out_of_range("a point is no list of values");
+    points.push_back(text.get<std::size_t>());
+  }
   if (paths.empty() || points.empty() || points.size() % paths.size() != 0)
     throw std::out_of_range("points do not fit the axes");
   for (const std::size_t text : points)
@@ -76,7 +95,12 @@ SweepManifest fromJson(const ordered_json& json) {
         {curve.at("name"), curve.at("units"), curve.at("long_name"), curve.at("per_law")});
   manifest.measured = json.at("measured");
   manifest.points = readPoints(json);
-  if (manifest.pipelines.empty() || manifest.settings.repeats < 1) throw std::out_of_range("no run is in it");
+  if (manifest.pipelines.empty()) throw std::out_of_range("no run is in it");
+  const auto runs = static_cast<double>(manifest.points.size() * manifest.pipelines.size());
+  if (runs * manifest.settings.repeats > max_sweep_runs)
+    throw std::out_of_range("more runs than a sweep can have");
+  for (const std::string& file : manifest.axis_inputs)
+    if (!manifest.inputs.contains(file)) throw std::out_of_range("a file of an axis is not among the inputs");
   return manifest;
 }
 

@@ -165,8 +165,11 @@ void SweepPlan::nameTasks() {
     for (std::size_t i = 0; i < task.laws.size(); ++i)
       laws.emplace_back(valueText(task.laws[i], task.entry, true), i);
     std::sort(laws.begin(), laws.end());
-    std::string text = common[task.entry] + "\n" + manifest_.engines.at(precision(task)) + "\n" +
-                       std::to_string(task.repeat) + "\n" + valueText(task.point, task.entry, false);
+    const auto engine = manifest_.engines.find(precision(task));
+    if (engine == manifest_.engines.end())
+      throw InputError("no worker program of precision " + precision(task) + " in the plan of the sweep");
+    std::string text = common[task.entry] + "\n" + engine->second + "\n" + std::to_string(task.repeat) +
+                       "\n" + valueText(task.point, task.entry, false);
     const std::vector<std::size_t> points = task.laws;
     moved[t].resize(points.size());
     for (std::size_t i = 0; i < laws.size(); ++i) {

@@ -47,6 +47,22 @@ auto readHead(const std::string& bytes, const Read& read) {
   }
 }
 
+/// An integer. A real number in its place is damage, and may not fit.
+template <class Integer>
+Integer integerAt(const json& from, const char* key) {
+  const json& value = from.at(key);
+  if (!value.is_number_integer()) throw RunError(fmt::format("no record of a sweep: {} is no integer", key));
+  return value.get<Integer>();
+}
+
+/// A number of rows or of values in one, small enough that sizes in bytes do not overflow.
+std::size_t countAt(const json& from, const char* key) {
+  constexpr long long most = 1 << 30;
+  const auto count = integerAt<long long>(from, key);
+  if (count < 0 || count > most) throw RunError(fmt::format("no record of a sweep: {} is {}", key, count));
+  return static_cast<std::size_t>(count);
+}
+
 }  // namespace
 
 std::vector<double> numbersIn(const std::string& bytes) {
@@ -65,7 +81,8 @@ std::string encodeNumbers(const TaskNumbers& numbers) {
 
 NumbersHead decodeNumbersHead(const std::string& bytes) {
   return readHead(bytes, [](const json& from, std::size_t end) {
-    NumbersHead head{from.at("names"), from.at("texts"), from.at("rows"), from.at("curves"), end, 0};
+    NumbersHead head{
+        from.at("names"), from.at("texts"), countAt(from, "rows"), countAt(from, "curves"), end, 0};
     head.curves_at = end + head.rows * head.names.size() * sizeof(double);
     return head;
   });
@@ -99,9 +116,9 @@ std::pair<TaskRecord, std::size_t> decodeRecordHead(const std::string& bytes) {
     record.status.detail = from.at("detail");
     record.timing = from.at("timing").get<std::map<std::string, double>>();
     record.file = from.at("file");
-    record.file_bytes = from.at("file_bytes");
-    record.file_time = from.at("file_time");
-    record.recorded_s = from.at("recorded_s");
+    record.file_bytes = integerAt<long long>(from, "file_bytes");
+    record.file_time = integerAt<long long>(from, "file_time");
+    record.recorded_s = integerAt<long long>(from, "recorded_s");
     return std::pair{record, end};
   });
 }

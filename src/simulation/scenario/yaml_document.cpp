@@ -155,7 +155,7 @@ void refuseTabs(const std::string& text, const Origin& first) {
 }
 
 /// What yaml-cpp says, and the same for people: what stands there and what was expected.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 11> syntax_errors = {{
+const std::array<std::pair<std::string_view, std::string_view>, 11> syntax_errors = {{
     {YAML::ErrorMsg::END_OF_SEQ_FLOW, "a list that [ has begun is not closed, expected \",\" or \"]\""},
     {YAML::ErrorMsg::END_OF_MAP_FLOW, "a map that { has begun is not closed, expected \",\" or \"}\""},
     {YAML::ErrorMsg::FLOW_END, "a bracket that closes none, expected \"]\" for each [ and \"}\" for each {"},

@@ -47,11 +47,11 @@ class Bytes {
   }
 
   template <class Value>
-  std::vector<Value> values(std::size_t count) {
-    if ((bytes_.size() - at_) / sizeof(Value) < count) throw std::length_error("too few bytes");
-    std::vector<Value> values(count);
-    std::memcpy(values.data(), bytes_.data() + at_, count * sizeof(Value));
-    at_ += count * sizeof(Value);
+  std::vector<Value> rows(std::size_t count, std::size_t width) {
+    if ((bytes_.size() - at_) / sizeof(Value) / width < count) throw std::length_error("too few bytes");
+    std::vector<Value> values(count * width);
+    if (count > 0) std::memcpy(values.data(), bytes_.data() + at_, values.size() * sizeof(Value));
+    at_ += values.size() * sizeof(Value);
     return values;
   }
 
@@ -67,15 +67,17 @@ struct Counts {
 
 TetrahedralMesh unpacked(Bytes& bytes, const Counts& counts, double unit_m) {
   TetrahedralMesh mesh;
-  const std::vector<double> coordinates = bytes.values<double>(3 * counts.vertices);
+  const std::vector<double> coordinates = bytes.rows<double>(counts.vertices, 3);
   for (std::size_t v = 0; v < counts.vertices; ++v)
     mesh.vertices_m.push_back(unit_m *
                               Vec3(coordinates[3 * v], coordinates[3 * v + 1], coordinates[3 * v + 2]));
-  const std::vector<std::int32_t> corners = bytes.values<std::int32_t>(4 * counts.tetrahedra);
+  const std::vector<std::int32_t> corners = bytes.rows<std::int32_t>(counts.tetrahedra, 4);
+  for (const std::int32_t v : corners)
+    if (v < 0 || static_cast<std::size_t>(v) >= counts.vertices) throw std::length_error("no such corner");
   for (std::size_t t = 0; t < counts.tetrahedra; ++t)
     mesh.tetrahedra.push_back({corners[4 * t], corners[4 * t + 1], corners[4 * t + 2], corners[4 * t + 3]});
   if (counts.tagged)
-    for (const std::int32_t tag : bytes.values<std::int32_t>(counts.tetrahedra)) mesh.tags.push_back(tag);
+    for (const std::int32_t tag : bytes.rows<std::int32_t>(counts.tetrahedra, 1)) mesh.tags.push_back(tag);
   return mesh;
 }
 
@@ -150,8 +152,8 @@ BoundedVolume boundedBySurface(TetrahedralMesh mesh) {
   return volume;
 }
 
-BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m) {
-  const std::string output = readApart(file);
+BoundedVolume unpackedTetrahedra(const std::string& output, const std::filesystem::path& file,
+                                 double unit_m) {
   Bytes bytes(output);
   Counts counts;
   TetrahedralMesh mesh;
@@ -162,6 +164,7 @@ BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m) {
       throw InputError(inFile(file),
                        fmt::format("has {} tetrahedra, expected at most 2097152", counts.tetrahedra));
     mesh = unpacked(bytes, counts, unit_m);
+    if (mesh.tetrahedra.empty()) throw std::length_error("no tetrahedra");
   } catch (const std::length_error&) {
     throw RunError("reading " + file.string() + " ended before its time");
   }
@@ -170,6 +173,10 @@ BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m) {
     volume.notes.push_back(counted(counts.quadratic, "quadratic tetrahedron", "quadratic tetrahedra") +
                            " taken as linear, by their corners");
   return volume;
+}
+
+BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m) {
+  return unpackedTetrahedra(readApart(file), file, unit_m);
 }
 
 }  // namespace fissure

@@ -25,6 +25,9 @@ struct BoundedVolume {
 /// tetrahedra or with more than 2,097,152 of them, and RunError where python3-meshio is not installed.
 BoundedVolume readTetrahedra(const std::filesystem::path& file, double unit_m);
 
+/// The same from what that process writes (read_tetrahedra.py). `file` appears in messages.
+BoundedVolume unpackedTetrahedra(const std::string& output, const std::filesystem::path& file, double unit_m);
+
 /// Puts the vertices of the boundary first, in their order, drops vertices of no tetrahedron and turns
 /// tetrahedra of negative volume, with notes about the latter two. All corners must be valid indices.
 BoundedVolume boundedBySurface(TetrahedralMesh mesh);
