@@ -64,8 +64,8 @@ class DeformableSimulation : public Simulation {
         touch_(world_, scene),
         stepped_(scenario, scene, first_poses, surfaceMasses(scene)),
         rest_m_(scene.bodies[0].volume->mesh.vertices_m),
-        impulses_N_s_(scene.vertexCount()),
-        substep_impulses_N_s_(scene.vertexCount()),
+        impulses_N_s_(scene.vertexCount(), Vec3::Zero()),
+        substep_impulses_N_s_(scene.vertexCount(), Vec3::Zero()),
         pressure_(scene.bodies[0].rest.faces) {
     state().volume.emplace();
     if (scenario.ground) state().contact.ground_reaction_N = Vec3::Zero();

@@ -1,6 +1,7 @@
 // Bullet's own world of tetrahedra as a baseline: free fall, weight, static deflection and held force beside
 // the explicit engine's on the same tetrahedra, momentum, and what its contacts hold.
 #include <gtest/gtest.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cmath>
@@ -293,6 +294,17 @@ TEST(Deformable, TwoRunsAreEqualToTheLastBit) {
   other.press(0.006, 0.02);
   EXPECT_EQ(one.state().positions_m, other.state().positions_m);
   EXPECT_EQ(one.state().velocities_m_s, other.state().velocities_m_s);
+}
+
+// Before the first step no contact has pressed, whatever the memory held before.
+TEST(Deformable, TheFirstStateHasNoPressure) {
+  ASSERT_EQ(mallopt(M_PERTURB, 0xa5), 1);  // fresh memory is filled with 0x5a
+  World world(heldBall(), deformable());
+  mallopt(M_PERTURB, 0);
+  const std::vector<double>& pressures_Pa = world.state().volume->pressures_Pa;
+  ASSERT_FALSE(pressures_Pa.empty());
+  EXPECT_EQ(std::count(pressures_Pa.begin(), pressures_Pa.end(), 0.0),
+            static_cast<std::ptrdiff_t>(pressures_Pa.size()));
 }
 
 TEST(Deformable, FixedVerticesStayWhereTheyAre) {
