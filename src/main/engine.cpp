@@ -13,11 +13,13 @@
 #include "base/error.h"
 #include "check/scenario_input.h"
 #include "engine/simulation.h"
+#include "files/disk_error.h"
 #include "files/write_file.h"
 #include "main/command.h"
 #include "main/exit_codes.h"
 #include "measure/probes.h"
 #include "pilot/pilot.h"
+#include "process/worker.h"
 #include "render/offscreen_renderer.h"
 #include "run/run.h"
 #include "scenario/catalog.h"
@@ -237,6 +239,9 @@ int main(int argc, char** argv) {
   } catch (const InputError& error) {
     std::cerr << "error: " << error.what() << '\n';
     return exit_usage;
+  } catch (const DiskError& error) {
+    std::cerr << "error: " << error.what() << '\n';
+    return exit_unwritten;
   } catch (const std::bad_alloc&) {
     std::cerr << "error: out of memory\n";
     return exit_run_failed;

@@ -2,6 +2,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -86,6 +87,8 @@ int main(int argc, char** argv) {
     return fail(exit_run_failed, error.what());
   } catch (const Interrupted& request) {
     return fail(exit_interrupted, "fissure: " + std::string(request.what()));
+  } catch (const std::bad_alloc&) {
+    return fail(exit_run_failed, "fissure: out of memory");
   } catch (const std::exception& error) {
     return fail(exit_run_failed, "fissure: " + std::string(error.what()));
   }

@@ -25,13 +25,20 @@ def contents(path):
     return found
 
 
-one, two = contents(sys.argv[1]), contents(sys.argv[2])
-different = sorted(set(one) ^ set(two))
-for name in set(one) & set(two):
-    a, b = numpy.asarray(one[name]), numpy.asarray(two[name])
-    same_bits = a.dtype == b.dtype and a.shape == b.shape and (
-        a.tolist() == b.tolist() if a.dtype.kind in "OSU" else a.tobytes() == b.tobytes())
-    if not same_bits:
-        different.append(name)
-print("\n".join(sorted(different)))
-sys.exit(1 if different or not one else 0)
+def differences(first, second):
+    """Names of what differs in two results, or is in one alone."""
+    one, two = contents(first), contents(second)
+    different = set(one) ^ set(two)
+    for name in set(one) & set(two):
+        a, b = numpy.asarray(one[name]), numpy.asarray(two[name])
+        same_bits = a.dtype == b.dtype and a.shape == b.shape and (
+            a.tolist() == b.tolist() if a.dtype.kind in "OSU" else a.tobytes() == b.tobytes())
+        if not same_bits:
+            different.add(name)
+    return sorted(different) if one else ["everything"]
+
+
+if __name__ == "__main__":
+    DIFFERENT = differences(sys.argv[1], sys.argv[2])
+    print("\n".join(DIFFERENT))
+    sys.exit(1 if DIFFERENT else 0)

@@ -15,14 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Half written results, as files/temporary_file.h names them.
-bool isTemporaryOf(const fs::path& result, const fs::directory_entry& entry) {
-  std::error_code ignored;
-  const std::string name = entry.path().filename().string();
-  return name.starts_with(result.filename().string() + ".") && name.ends_with(".tmp") &&
-         fs::is_regular_file(entry.symlink_status(ignored));
-}
-
 /// Folders of parts.
 bool isPartsOf(const fs::path& result, const fs::directory_entry& entry) {
   std::error_code ignored;
@@ -51,23 +43,18 @@ fs::path OutputSlot::interruptedOutput() const {
   return fs::path(output_).replace_extension(".interrupted.h5");
 }
 
-/// What runs that were killed left behind. While the claim is ours, nobody uses it; the name for interrupted
-/// batches may be the ordinary output of another run.
+/// What runs that were killed left behind, beside what the claim removes. While it is ours, nobody uses it;
+/// the name for interrupted batches may be the ordinary output of another run.
 void OutputSlot::removeLeftovers() const {
   const fs::path folder = output_.has_parent_path() ? output_.parent_path() : fs::path(".");
-  const fs::path interrupted = interruptedOutput();
   std::error_code ignored;
   std::vector<fs::path> ours;
-  std::vector<fs::path> shared;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    if (isPartsOf(output_, entry) || isTemporaryOf(output_, entry)) ours.push_back(entry.path());
-    if (isTemporaryOf(interrupted, entry)) shared.push_back(entry.path());
-  }
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+    if (isPartsOf(output_, entry)) ours.push_back(entry.path());
   for (const fs::path& leftover : ours) fs::remove_all(leftover, ignored);
-  if (shared.empty()) return;
+  if (unfinishedOf(interruptedOutput()).empty()) return;
   try {
-    const OutputClaim claim(interrupted, true);
-    for (const fs::path& leftover : shared) fs::remove(leftover, ignored);
+    const OutputClaim claim(interruptedOutput(), true);
   } catch (const InputError&) {
     return;  // its own run cleans up
   }

@@ -78,7 +78,8 @@ std::vector<std::filesystem::path> writeTemplate(const std::string& kind, const 
     if (std::filesystem::exists(std::filesystem::symlink_status(files.back())))
       throw InputError(inFile(files.back()), "exists already, expected a new name");
   }
-  for (std::size_t i = 0; i < files.size(); ++i) writeFile(files[i], renamed(from.files[i].text, from, name));
+  for (std::size_t i = 0; i < files.size(); ++i)
+    replaceFile(files[i], renamed(from.files[i].text, from, name));
   return files;
 }
 

@@ -160,7 +160,7 @@ void writeTypical(const StabilityStudy& study) {
   if (error) throw RunError(folder.string() + ": cannot be made: " + error.message());
   for (const auto& [kind, places] : cells) {
     const auto& [panel, cell] = places[places.size() / 2];
-    writeFile(folder / (nameOfClass(kind) + ".yaml"), scenarioText(*panel, *cell, folder));
+    replaceFile(folder / (nameOfClass(kind) + ".yaml"), scenarioText(*panel, *cell, folder));
   }
 }
 
@@ -179,9 +179,9 @@ std::map<StabilityClass, std::size_t> countClasses(const StabilityStudy& study) 
 }
 
 void writeStability(const StabilityStudy& study) {
-  writeFile(study.folder() / "cells.csv", cellsText(study));
-  writeFile(study.folder() / "boundaries.csv", boundariesText(study));
-  writeFile(study.folder() / "study.json", studyText(study));
+  replaceFile(study.folder() / "cells.csv", cellsText(study));
+  replaceFile(study.folder() / "boundaries.csv", boundariesText(study));
+  replaceFile(study.folder() / "study.json", studyText(study));
   writeTypical(study);
 }
 

@@ -28,7 +28,7 @@ fs::path writeScenarioAlone(const StabilityPanel& panel) {
   fs::path file = panel.folder.parent_path() / "alone.yaml";
   const fs::path base = fs::weakly_canonical(fs::absolute(panel.scenario_file))
                             .lexically_relative(fs::weakly_canonical(fs::absolute(file.parent_path())));
-  writeFile(
+  replaceFile(
       file,
       fmt::format(
           "# Made by fissure study.\nbase: {}\ntime: {{duration_s: 1}}\ntools: []\nforce: []\nexpect: []\n"

@@ -67,7 +67,7 @@ void putSweep(const StudySweep& sweep) {
   std::error_code error;
   fs::create_directories(sweep.folder.parent_path(), error);
   if (error) throw RunError(sweep.folder.parent_path().string() + ": cannot be made: " + error.message());
-  writeFile(fileOf(sweep.folder), sweepText(sweep));
+  replaceFile(fileOf(sweep.folder), sweepText(sweep));
   putManifest(planSweep(fileOf(sweep.folder), sweep.folder, true), sweep.folder);
 }
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/error.h"
 #include "files/write_file.h"
 #include "study/study_command.h"
 #include "table/sweep_csv.h"
@@ -153,15 +152,8 @@ std::string tradeoffJson(const TradeoffStudy& study, const TradeoffResult& resul
 void writeTradeoff(const std::filesystem::path& folder, const TradeoffStudy& study,
                    const TradeoffResult& result, const std::vector<TradeoffAnswer>& answers,
                    CostMeasure cost) {
-  const auto replace = [&](const char* name, const std::string& text) {
-    const std::filesystem::path file = folder / name, part = folder / (std::string(name) + ".part");
-    writeFile(part, text);
-    std::error_code error;
-    std::filesystem::rename(part, file, error);
-    if (error) throw RunError(file.string() + ": cannot be written: " + error.message());
-  };
-  replace("tradeoff.csv", tradeoffCsv(study, result));
-  replace("tradeoff.json", tradeoffJson(study, result, answers, cost));
+  replaceFile(folder / "tradeoff.csv", tradeoffCsv(study, result));
+  replaceFile(folder / "tradeoff.json", tradeoffJson(study, result, answers, cost));
 }
 
 }  // namespace fissure

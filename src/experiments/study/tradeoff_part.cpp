@@ -54,17 +54,22 @@ StudyPart::StudyPart(const TradeoffStudy& study, const std::string& name, const 
   const std::string from = fs::weakly_canonical(fs::current_path() / base)
                                .lexically_relative(fs::weakly_canonical(fs::current_path() / folder))
                                .generic_string();
-  writeFile(file, sweepTextOf(study, study.name + "_" + name, from, pipelines, points, repeats));
   try {
+    writeFile(file, sweepTextOf(study, study.name + "_" + name, from, pipelines, points, repeats));
     SweepManifest manifest = planSweep(file, folder_, true);
     putManifest(manifest, folder_);
     plan_ = std::make_unique<SweepPlan>(std::move(manifest), folder_);
   } catch (const InputError& refused) {
     fs::remove(file, ignored);
     throw aboutStudy(study, file, refused);
+  } catch (const RunError&) {
+    fs::remove(file, ignored);
+    throw;
   }
   fs::rename(file, folder / (name + ".yaml"), error);
-  if (error) throw RunError(file.string() + ": cannot be renamed: " + error.message());
+  if (!error) return;
+  fs::remove(file, ignored);
+  throw RunError(file.string() + ": cannot be renamed: " + error.message());
 }
 
 std::vector<std::size_t> StudyPart::unfinished(std::size_t index, std::size_t count) const {

@@ -70,7 +70,7 @@ StudySweeps::StudySweeps(TradeoffStudy study, fs::path folder)
       new_folder_{topmostNew(folder_)},
       settings_(study_, "settings", folder_, base(), study_.pipelines, settingsOf(study_), study_.repeats),
       ladder_(study_, "ladder", folder_, base(), referencePipelines(), rungsOf(study_), 1) {
-  writeFile(folder_ / "study.yaml", study_.source);
+  replaceFile(folder_ / "study.yaml", study_.source);
   new_folder_.top.clear();
 }
 
@@ -106,8 +106,8 @@ void StudySweeps::writeScenario(TradeoffAnswer& answer, const TradeoffResult& re
       fmt::format("The setting that the study {} found for: {}.", study_.name, answer.wish.text()),
       fmt::format("{}: {:.4g} us for a simulated millisecond on the machine of the study.",
                   settingText(setting, result), costOf(setting, cost).median)};
-  writeFile(answer.file,
-            recommendedText(base(), answer.file, setting.pipeline, overridesOf(setting, result), comment));
+  replaceFile(answer.file,
+              recommendedText(base(), answer.file, setting.pipeline, overridesOf(setting, result), comment));
 }
 
 StudyPart StudySweeps::planAgain(const TradeoffAnswer& answer, const TradeoffResult& result) const {

@@ -13,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <optional>
+#include <system_error>
 
 #include "base/error.h"
 #include "base/hash.h"
@@ -73,6 +74,11 @@ bool isDead(const fs::path& journal) {
   return file.open() ? ::flock(file.number(), LOCK_EX | LOCK_NB) == 0 : errno == ENOENT;
 }
 
+/// Whether this is why flock() fails on file systems that know no locks, where leftovers stay.
+bool hasNoLocks(int reason) {
+  return reason == ENOLCK || reason == ENOSYS || reason == EOPNOTSUPP || reason == EINVAL;
+}
+
 constexpr const char* owner_file = "machine";
 
 void removeLeftovers(const fs::path& folder) {
@@ -102,12 +108,17 @@ JournalWriter::JournalWriter(const fs::path& folder) {
     throw RunError(fmt::format("{}: cannot be written: {}", folder.string(),
                                error ? error.message() : std::strerror(errno)));
   ::fchmod(file_.number(), 0644);
-  ::flock(file_.number(), LOCK_EX);  // where the file system has no locks, leftovers stay
+  const bool locked = ::flock(file_.number(), LOCK_EX) == 0 || hasNoLocks(errno);
+  if (!locked) error = {errno, std::generic_category()};
   path_ = fs::path(name).replace_extension(".journal");
   work_ = fs::path(name).replace_extension(".work");
-  fs::rename(name, path_, error);
+  if (!error) fs::rename(name, path_, error);
   if (!error) fs::create_directory(work_, error);
-  if (error) throw RunError(path_.string() + ": cannot be made: " + error.message());
+  if (error) {
+    std::error_code ignored;
+    for (const fs::path& made : {fs::path(name), path_}) fs::remove(made, ignored);
+    throw RunError(path_.string() + ": cannot be made: " + error.message());
+  }
   std::ofstream(work_ / owner_file) << bootId() << "\n";  // without it nobody removes the folder
   removeLeftovers(folder);
 }

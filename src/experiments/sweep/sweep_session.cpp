@@ -210,6 +210,11 @@ void SweepSession::finished(std::size_t task, const RunStatus& status) {
   for (const char* ending : {".order", ".record", ".part"}) fs::remove(work(task, ending), ignored);
 }
 
+/// Not recorded, as it is no finding about the simulation: a study would take it for one.
+void SweepSession::hindered(std::size_t, const std::string& reason) {
+  throw RunError(reason);
+}
+
 void SweepSession::woke() {
   display_.show([this](double elapsed_s) { return progressLine(elapsed_s); });
 }

@@ -48,8 +48,8 @@ class SweepSession : private PoolObserver {
   SweepSession(const SweepSession&) = delete;
   SweepSession& operator=(const SweepSession&) = delete;
 
-  /// Runs the tasks. Throws RunError when records cannot be written any more (a full disk), or an input file
-  /// of the scenario changes meanwhile; earlier records stay.
+  /// Runs the tasks. Throws RunError when records or workers' files cannot be written (a full disk), a worker
+  /// cannot be started, or an input file of the scenario changes meanwhile; earlier records stay.
   void run(Interrupt& interrupt);
 
   const SessionCounts& counts() const { return counts_; }
@@ -60,6 +60,7 @@ class SweepSession : private PoolObserver {
   void started(std::size_t task) override;
   void progressed(std::size_t task, const Progress& progress) override;
   void finished(std::size_t task, const RunStatus& status) override;
+  void hindered(std::size_t task, const std::string& reason) override;
   void woke() override;
   bool wantsStop() const override { return settings_.fail_fast && counts_.failed > 0; }
 

@@ -28,13 +28,19 @@ bool isNamed(const Descriptor& file, const fs::path& path) {
 }  // namespace
 
 FileLock::FileLock(const fs::path& path, const fs::path& target) : path_(path) {
+  constexpr int flags = O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW;
   do {
-    locked_ = Descriptor(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666));
+    locked_ = Descriptor(::open(path.c_str(), flags | O_EXCL, 0666));
+    const bool made = locked_.open();
+    if (!made && errno == EEXIST) locked_ = Descriptor(::open(path.c_str(), flags, 0666));
     if (!locked_.open())
       throw InputError(inFile(target), std::string("cannot be written: ") + std::strerror(errno));
     if (::flock(locked_.number(), LOCK_EX | LOCK_NB) != 0) {
       if (errno == EWOULDBLOCK) throw InputError(inFile(target), "is being written by another run");
-      throw InputError(inFile(target), std::string("cannot be locked: ") + std::strerror(errno));
+      const std::string reason = std::strerror(errno);
+      std::error_code ignored;
+      if (made) fs::remove(path, ignored);
+      throw InputError(inFile(target), "cannot be locked: " + reason);
     }
   } while (!isNamed(locked_, path));
 }

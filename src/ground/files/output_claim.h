@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "files/file_lock.h"
 
@@ -16,8 +17,9 @@ void refuseExisting(const std::filesystem::path& output, bool replace);
 /// process is writing it.
 class OutputClaim {
  public:
-  /// Creates the folder of `output` where it is missing. Throws InputError as refuseExisting does, and when
-  /// the file is being written by another run or cannot be written.
+  /// Creates the folder of `output` where it is missing, and removes what killed processes have left of it
+  /// (TemporaryFile). Throws InputError as refuseExisting does, and when the file is being written by another
+  /// run or cannot be written.
   OutputClaim(const std::filesystem::path& output, bool replace);
 
  private:
@@ -26,6 +28,10 @@ class OutputClaim {
 
 /// Throws InputError when `output` is the same file as `input`.
 void refuseInput(const std::filesystem::path& input, const std::filesystem::path& output);
+
+/// Files beside `output` that have the names of its TemporaryFile in whatever process. Where nobody writes it
+/// (OutputClaim), killed processes have left them.
+std::vector<std::filesystem::path> unfinishedOf(const std::filesystem::path& output);
 
 /// The path `.<name of output><ending>` in the folder of `output`.
 std::filesystem::path hiddenBeside(const std::filesystem::path& output, const std::string& ending);

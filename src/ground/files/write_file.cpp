@@ -5,12 +5,22 @@
 #include <cstring>
 #include <memory>
 
-#include "base/error.h"
+#include "files/disk_error.h"
 
 namespace fissure {
 
 void writeFile(const std::filesystem::path& file, const std::string& text) {
-  if (!tryWritingFile(file, text)) throw RunError(file.string() + ": cannot write: " + std::strerror(errno));
+  if (!tryWritingFile(file, text)) throw DiskError(file.string() + ": cannot write: " + std::strerror(errno));
+}
+
+void replaceFile(const std::filesystem::path& file, const std::string& text) {
+  std::filesystem::path part = file;
+  part += ".part";
+  if (tryWritingFile(part, text) && std::rename(part.c_str(), file.c_str()) == 0) return;
+  const std::string reason = std::strerror(errno);
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored);
+  throw DiskError(file.string() + ": cannot write: " + reason);
 }
 
 bool tryWritingFile(const std::filesystem::path& file, const std::string& text) {

@@ -108,6 +108,7 @@ std::optional<RunStatus> Worker::poll() {
   if (ended == process_) {
     process_ = -1;
     drain();
+    unwritten_ = WIFEXITED(wait_status) && WEXITSTATUS(wait_status) == exit_unwritten;
     return statusOf(wait_status);
   }
   if (timeLeft_s() > 0) return std::nullopt;

@@ -16,6 +16,9 @@
 
 namespace fissure {
 
+/// The exit code of a worker that could not write its files.
+inline constexpr int exit_unwritten = 4;
+
 /// A program to be run as a worker, and its limits.
 struct WorkerTask {
   std::filesystem::path program;
@@ -50,6 +53,8 @@ class Worker {
   /// How it ended; no value while it runs. `ok` means exit code 0 and nothing else. A worker past its time
   /// limit is killed here.
   std::optional<RunStatus> poll();
+  /// Whether it has ended with exit_unwritten.
+  bool unwritten() const { return unwritten_; }
   /// Kills it and waits for its end; returns {end, "<reason> after step N of M"}.
   RunStatus stop(RunEnd end, const std::string& reason);
   /// Seconds until the time limit, 0 when it is past.
@@ -73,6 +78,7 @@ class Worker {
   std::string last_error_;
   /// last_error_ began with "error: "; other lines no longer replace it.
   bool error_is_marked_ = false;
+  bool unwritten_ = false;
 };
 
 }  // namespace fissure

@@ -34,7 +34,7 @@ void WorkerPool::startMore(std::size_t tasks, const std::function<WorkerTask(std
     try {
       running_.push_back({task, std::make_unique<Worker>(make(task)), {}});
     } catch (const RunError& error) {
-      observer.finished(task, {RunEnd::failed, error.what()});
+      observer.hindered(task, error.what());
       continue;
     }
     observer.started(task);
@@ -72,8 +72,12 @@ void WorkerPool::collect(PoolObserver& observer) {
       ++i;
       continue;
     }
+    const bool unwritten = running_[i].worker->unwritten();
     running_.erase(running_.begin() + static_cast<std::ptrdiff_t>(i));
-    observer.finished(task, *status);
+    if (unwritten)
+      observer.hindered(task, status->detail);
+    else
+      observer.finished(task, *status);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "base/run_status.h"
@@ -19,8 +20,13 @@ class PoolObserver {
   virtual void started(std::size_t task) = 0;
   virtual void progressed(std::size_t task, const Progress& progress) = 0;
   /// Called exactly once for every task, even for one that never started (then with `failed` or
-  /// `interrupted`).
+  /// `interrupted`), unless hindered() is called.
   virtual void finished(std::size_t task, const RunStatus& status) = 0;
+  /// Called where the machine is to blame for a task's end, which says nothing about the task: its worker
+  /// could not be started, or could not write.
+  virtual void hindered(std::size_t task, const std::string& reason) {
+    finished(task, {RunEnd::failed, reason});
+  }
   /// Called whenever the pool wakes up, at least about ten times a second, to refresh a display.
   virtual void woke() = 0;
   /// Whether the pool should stop all running tasks and start no more; asked after woke().
@@ -40,8 +46,8 @@ class WorkerPool {
     run(
         tasks.size(), [&](std::size_t task) { return tasks[task]; }, observer);
   }
-  /// The same for tasks that `make` creates when their turn comes; where it throws RunError, that task ends
-  /// as `failed`.
+  /// The same for tasks that `make` creates when their turn comes; where it throws RunError, that task is
+  /// hindered.
   void run(std::size_t tasks, const std::function<WorkerTask(std::size_t task)>& make,
            PoolObserver& observer);
 

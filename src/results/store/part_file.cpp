@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "base/steps.h"
+#include "files/disk_error.h"
 #include "hdf5/output_file.h"
 #include "store/force_input_writer.h"
 #include "store/format.h"
@@ -129,7 +130,7 @@ void PartFile::makeDatasets(const PartHeader& header) {
 template <typename Work>
 void PartFile::guarded(Work work) {
   if (finished_) throw std::logic_error("a part file was written to after finish");
-  if (first_error_) throw RunError(*first_error_);
+  if (first_error_) throw DiskError(*first_error_);
   try {
     work();
     file_.checkWritten();
@@ -138,7 +139,7 @@ void PartFile::guarded(Work work) {
     first_error_ = path_.string() + ": " + file_.writeFailure().value_or(error.what());
     closeDatasets();
     file_.reset();
-    throw RunError(*first_error_);
+    throw DiskError(*first_error_);
   }
 }
 

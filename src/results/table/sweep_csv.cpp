@@ -61,6 +61,13 @@ std::vector<std::string> fields(const SweepTable& table, const Column& column, s
   return made;
 }
 
+/// Puts `text` into the stream and on its way. Throws RunError with the system's reason.
+void put(std::ofstream& stream, const std::string& text) {
+  errno = 0;
+  stream << text << std::flush;
+  if (!stream) throw RunError(std::string("cannot write: ") + std::strerror(errno != 0 ? errno : EIO));
+}
+
 void writeRows(std::ofstream& stream, const SweepTable& table, const std::vector<Column>& columns) {
   for (std::size_t first = 0; first < table.runs(); first += rows_a_read) {
     const std::size_t count = std::min(rows_a_read, table.runs() - first);
@@ -69,7 +76,9 @@ void writeRows(std::ofstream& stream, const SweepTable& table, const std::vector
       const std::vector<std::string> made = fields(table, column, first, count);
       for (std::size_t i = 0; i < count; ++i) lines[i] += (&column == &columns.front() ? "" : ",") + made[i];
     }
-    for (const std::string& line : lines) stream << line << '\n';
+    std::string text;
+    for (const std::string& line : lines) text.append(line).append("\n");
+    put(stream, text);
   }
 }
 
@@ -86,9 +95,11 @@ void writeSweepCsv(const std::filesystem::path& path, const SweepTable& table) t
   TemporaryFile temporary(path);
   const std::vector<Column> columns = columnsOf(table.layout());
   std::ofstream stream(temporary.path(), std::ios::binary);
+  if (!stream) throw RunError(std::string("cannot write: ") + std::strerror(errno));
+  std::string names;
   for (const Column& column : columns)
-    stream << (&column == &columns.front() ? "" : ",") << csvField(column.name);
-  stream << '\n';
+    names.append(&column == &columns.front() ? "" : ",").append(csvField(column.name));
+  put(stream, names + "\n");
   writeRows(stream, table, columns);
   errno = 0;
   stream.close();

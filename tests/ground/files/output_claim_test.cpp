@@ -5,6 +5,7 @@
 
 #include <climits>
 #include <fstream>
+#include <vector>
 
 #include "base/error.h"
 #include "files/temporary_file.h"
@@ -59,6 +60,19 @@ TEST_F(Claims, NamesLeaveRoomForTheFilesBeside) {
     std::ofstream(made).flush();
     EXPECT_TRUE(fs::exists(made)) << made;
   }
+}
+
+TEST_F(Claims, RemoveWhatKilledProcessesLeft) {
+  const fs::path output = folder_ / "page.html";
+  const std::vector<fs::path> others = {folder_ / "page.html.old.tmp", folder_ / "page.html.extra.1.0.tmp",
+                                        TemporaryFile::nameFor(folder_ / "page.html.h5", 7, 0)};
+  const std::vector<fs::path> left = {TemporaryFile::nameFor(output, 7, 0),
+                                      TemporaryFile::nameFor(output, 4194304, 12)};
+  for (const auto* files : {&others, &left})
+    for (const fs::path& file : *files) std::ofstream(file).flush();
+  EXPECT_EQ(complaintAbout("page.html"), "nothing");
+  for (const fs::path& file : others) EXPECT_TRUE(fs::exists(file)) << file;
+  for (const fs::path& file : left) EXPECT_FALSE(fs::exists(file)) << file;
 }
 
 }  // namespace

@@ -37,6 +37,27 @@ TEST(WorkerPool, OneBadWorkerLeavesTheOthersAlone) {
   EXPECT_EQ(nameOf(heard.ends[4].end), "ok");
 }
 
+// What the machine is to blame for is told apart from how runs end, where somebody listens to that.
+TEST(WorkerPool, TellsAHinderedTaskFromOneThatFails) {
+  class Apart : public Listener {
+   public:
+    void hindered(std::size_t task, const std::string& reason) override { reasons[task] = reason; }
+    std::map<std::size_t, std::string> reasons;
+  };
+  Interrupt interrupt;
+  Apart heard;
+  const std::string unwritten = "echo 'error: no room' >&2; exit " + std::to_string(exit_unwritten);
+  WorkerPool(1, interrupt)
+      .run({shellTask(unwritten), shellTask("exit 3"), WorkerTask{"/nowhere", {}, 1}, shellTask("exit 0")},
+           heard);
+  ASSERT_EQ(heard.reasons.size(), 2u);
+  EXPECT_EQ(heard.reasons[0], "no room");
+  EXPECT_EQ(heard.reasons[2], "cannot start nowhere: No such file or directory");
+  EXPECT_EQ(nameOf(heard.ends[1].end), "failed");
+  EXPECT_EQ(nameOf(heard.ends[3].end), "ok");
+  EXPECT_EQ(endOf(shellTask(unwritten)), "failed|no room");
+}
+
 // The second of four workers sends the request to its parent, which is this test, and goes on: it and the
 // rest stop.
 class Interrupted : public testing::TestWithParam<const char*> {};

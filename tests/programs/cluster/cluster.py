@@ -139,12 +139,15 @@ class Cluster:
     def start_node(self, number):
         return self.spawn(f"slurmd-n{number}", "slurmd", "-D", "-N", f"n{number}", "-f", self.config)
 
+    def start_controller(self):
+        return self.spawn("slurmctld", "slurmctld", "-D", "-i", "-f", self.config)
+
     def start(self):
         munge = self.folder / "munge"
         munged = self.spawn("munged", "munged", "--foreground", "--force", f"--socket={munge}/socket", f"--key-file={munge}/key",
                             f"--pid-file={munge}/pid", f"--log-file={munge}/log", f"--seed-file={munge}/seed")
         self.wait_for("munged", munged, "munge", "-S", f"{munge}/socket", "-n")
-        controller = self.spawn("slurmctld", "slurmctld", "-D", "-i", "-f", self.config)
+        controller = self.start_controller()
         self.wait_for("slurmctld", controller, "scontrol", "ping", until=lambda out: " UP" in out)
         for number in range(1, self.nodes + 1):
             node = self.start_node(number)
@@ -207,10 +210,12 @@ def main():
         cluster.start()
         signal.signal(signal.SIGCHLD, reap)
         print("ready", flush=True)
-        for line in sys.stdin:  # "node 2": the daemon of that node, after it was killed
-            word, number = line.split()
+        for line in sys.stdin:  # "node 2", "controller": the daemon of that name, after it was killed
+            word, *number = line.split()
             if word == "node":
-                cluster.start_node(int(number))
+                cluster.start_node(int(number[0]))
+            if word == "controller":
+                cluster.start_controller()
     finally:
         end_all()
 

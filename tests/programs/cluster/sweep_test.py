@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""A sweep through a real Slurm of two nodes in which a task is killed, one runs out of time, and a node dies: the table is that of one process.
+"""A sweep through a real Slurm of two nodes in which a task is killed, one runs out of time, and a node dies, and another in which the controller
+dies: their tables are that of one process.
 
     sweep_test.py FISSURE SAME_DATA [--duration S]      exit code 77 where Slurm is not installed
 """
@@ -113,6 +114,10 @@ def has_recorded(pid):
     return False
 
 
+def recorded_bytes(folder):
+    return sum(journal.stat().st_size for journal in (folder / "journals").glob("*.journal"))
+
+
 def parent_of(pid):
     return int(pathlib.Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[1])
 
@@ -123,18 +128,20 @@ def kill(pids):
             os.kill(pid, signal.SIGKILL)
 
 
-def daemon_of(node):
+def daemon(*words):
+    """The process of this cluster whose command begins with these words."""
     for entry in pathlib.Path("/proc").iterdir():
         if entry.name.isdigit():
             with contextlib.suppress(OSError):
-                if (entry / "cmdline").read_text().split("\0")[:-1] == ["slurmd", "-D", "-N", node, "-f", os.environ["SLURM_CONF"]]:
+                command = (entry / "cmdline").read_text().split("\0")[:-1]
+                if command[: len(words)] == list(words) and os.environ["SLURM_CONF"] in command:
                     return int(entry.name)
-    raise AssertionError(f"no daemon of {node}")
+    raise AssertionError(f"no daemon {words}")
 
 
 def kill_node(node):
     """What a loss of power ends: the daemon of a node, the step daemons, and all that they run."""
-    kill([daemon_of(node)])
+    kill([daemon("slurmd", "-D", "-N", node)])
     lost = {pid for pid, (_, _, environment) in processes().items() if environment.get("SLURMD_NODENAME") == node}
     steps = set()
     for pid in lost:
@@ -158,8 +165,9 @@ class Cluster:
                                          text=True, start_new_session=True)
         check(self.guardian.stdout.readline() == "ready\n", "the cluster did not start")
 
-    def start_node(self, number):
-        self.guardian.stdin.write(f"node {number}\n")
+    def start(self, daemon_name):
+        """Again, after it was killed: "controller", or "node 2"."""
+        self.guardian.stdin.write(daemon_name + "\n")
         self.guardian.stdin.flush()
 
     def __enter__(self):
@@ -218,6 +226,36 @@ def break_and_resume(fissure, folder):
         check(log.startswith("edited\n"), log)
 
 
+def idle_nodes():
+    return subprocess.run(["sinfo", "-h", "-N", "-o", "%T"], capture_output=True, text=True, check=False).stdout.split().count("idle")
+
+
+def lose_controller_midway(fissure, folder, the_cluster):
+    """slurmctld is killed in the middle of an array, simulations go on without it, and it starts again: the array and its merge end as ever."""
+    fissure("sweep", "sweep.yaml", "-o", "e", "--engine", "slurm", "--shards", "4")
+    wait_until("a record", lambda: recorded_bytes(folder / "e") > 0)
+    kill([daemon("slurmctld")])
+    before = recorded_bytes(folder / "e")
+    unknown = fissure("sweep", "d", "--engine", "slurm", code=3)
+    check(unknown.count("\n") == 1, unknown)
+    wait_until("a record that is made without the controller", lambda: recorded_bytes(folder / "e") > before)
+    at_restart = {path: path.read_bytes() for path in (folder / "e/journals").glob("*.journal")}
+    the_cluster.start("controller")
+    wait_until("the controller", lambda: " UP" in subprocess.run(["scontrol", "ping"], capture_output=True, text=True, check=False).stdout)
+    say("controller killed and started again")
+    wait_until("an empty queue", lambda: not queued())
+    for path, content in at_restart.items():
+        check(path.read_bytes().startswith(content), f"{path}: lost what was recorded before the controller came back")
+    check((folder / "e/sweep.h5").exists(), "the merge was lost with the controller")
+
+
+def check_table(arguments, folder, name):
+    same = subprocess.run([sys.executable, "-B", arguments.same_data, folder / "truth/sweep.h5", folder / name / "sweep.h5"],
+                          capture_output=True, text=True, check=False)
+    check(same.returncode == 0, f"{name}: other data in\n{same.stdout}{same.stderr}")
+    check((folder / "truth/sweep.csv").read_bytes() == (folder / name / "sweep.csv").read_bytes(), f"{name}: another sweep.csv")
+
+
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("fissure")
@@ -237,14 +275,15 @@ def main():
         fissure = Fissure(arguments.fissure, folder)
         fissure("sweep", "sweep.yaml", "-o", "truth", "-j", "2")
         say("simulated here")
-        with Cluster(pathlib.Path(temporary) / "c"):
+        with Cluster(pathlib.Path(temporary) / "c") as the_cluster:
             say("cluster started")
             break_and_resume(fissure, folder)
-        same = subprocess.run([sys.executable, "-B", arguments.same_data, folder / "truth/sweep.h5", folder / "d/sweep.h5"],
-                              capture_output=True, text=True, check=False)
-        check(same.returncode == 0, f"other data in\n{same.stdout}{same.stderr}")
-        check((folder / "truth/sweep.csv").read_bytes() == (folder / "d/sweep.csv").read_bytes(), "another sweep.csv")
-        say("the same table")
+            the_cluster.start("node 2")
+            wait_until("both nodes", lambda: idle_nodes() == 2)
+            lose_controller_midway(fissure, folder, the_cluster)
+        for name in "de":
+            check_table(arguments, folder, name)
+        say("the same tables")
 
 
 if __name__ == "__main__":
