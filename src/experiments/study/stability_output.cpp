@@ -33,6 +33,22 @@ std::string axisPath(const StabilityPanel& panel, std::size_t axis) {
   return axis < panel.map->axes.size() ? panel.map->axes[axis].path : std::string();
 }
 
+/// What makes the cell of the base scenario. One that was too slow stops at the time that it had.
+std::vector<Override> overridesOf(const StabilityStudy& study, const StabilityPanel& panel,
+                                  const StabilityPanel::Cell& cell) {
+  std::vector<Override> overrides = cell.cell.overrides;
+  const std::optional<double> time_s = panel.map->time_s ? panel.map->time_s : study.settings().limits.time_s;
+  if (time_s && cell.classified && cell.classified->kind == StabilityClass::too_slow)
+    overrides.push_back({fmt::format("pipelines.{}.time_limit_s", panel.pipeline), formatReal(*time_s)});
+  return overrides;
+}
+
+/// The command that repeats a cell's run into a result of its own, for a shell.
+std::string commandOf(const StabilityStudy& study, const StabilityPanel& panel,
+                      const StabilityPanel::Cell& cell) {
+  return runCommand(panel.scenario_file, panel.pipeline, overridesOf(study, panel, cell));
+}
+
 std::string cellsText(const StabilityStudy& study) {
   std::string text = line({"map", "pipeline", "axis_1", "value_1", "axis_2", "value_2", "class",
                            "frequency_Hz", "reason", "round", "wall_s", "result", "command"});
@@ -46,7 +62,7 @@ std::string cellsText(const StabilityStudy& study) {
                     axisPath(panel, 1), value_2, cell.classified ? nameOfClass(found.kind) : "",
                     found.frequency_Hz > 0 ? formatReal(found.frequency_Hz) : "", found.reason,
                     std::to_string(cell.round), fmt::format("{:.3f}", cell.wall_s), result,
-                    commandOf(panel, cell)});
+                    commandOf(study, panel, cell)});
     }
   }
   return text;
@@ -73,7 +89,7 @@ ordered_json cellJson(const StabilityStudy& study, const StabilityPanel& panel,
   if (cell.classified && cell.classified->frequency_Hz > 0)
     json["frequency_Hz"] = cell.classified->frequency_Hz;
   if (!cell.result.empty()) json["result"] = cell.result.lexically_relative(study.folder()).generic_string();
-  json["command"] = commandOf(panel, cell);
+  json["command"] = commandOf(study, panel, cell);
   return json;
 }
 
@@ -131,9 +147,9 @@ void moveFileNames(YamlNode& node, const fs::path& directory, const fs::path& fo
   }
 }
 
-std::string scenarioText(const StabilityPanel& panel, const StabilityPanel::Cell& cell,
-                         const fs::path& folder) {
-  const LoadedScenario loaded = loadScenario(panel.scenario_file, cell.cell.overrides);
+std::string scenarioText(const StabilityStudy& study, const StabilityPanel& panel,
+                         const StabilityPanel::Cell& cell, const fs::path& folder) {
+  const LoadedScenario loaded = loadScenario(panel.scenario_file, overridesOf(study, panel, cell));
   YamlNode root = parseYaml(loaded.composed, inFile(panel.scenario_file, 1));
   std::erase_if(root.children, [](const YamlNode& child) { return child.key == "expect"; });
   if (YamlNode* entries = root.find("pipelines"))
@@ -160,15 +176,11 @@ void writeTypical(const StabilityStudy& study) {
   if (error) throw RunError(folder.string() + ": cannot be made: " + error.message());
   for (const auto& [kind, places] : cells) {
     const auto& [panel, cell] = places[places.size() / 2];
-    replaceFile(folder / (nameOfClass(kind) + ".yaml"), scenarioText(*panel, *cell, folder));
+    replaceFile(folder / (nameOfClass(kind) + ".yaml"), scenarioText(study, *panel, *cell, folder));
   }
 }
 
 }  // namespace
-
-std::string commandOf(const StabilityPanel& panel, const StabilityPanel::Cell& cell) {
-  return runCommand(panel.scenario_file, panel.pipeline, cell.cell.overrides);
-}
 
 std::map<StabilityClass, std::size_t> countClasses(const StabilityStudy& study) {
   std::map<StabilityClass, std::size_t> counts;

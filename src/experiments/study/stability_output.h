@@ -9,9 +9,6 @@
 
 namespace fissure {
 
-/// The command that repeats a cell's run into a result of its own, for a shell.
-std::string commandOf(const StabilityPanel& panel, const StabilityPanel::Cell& cell);
-
 /// How many cells of a study have each class; those that were not run yet have none.
 std::map<StabilityClass, std::size_t> countClasses(const StabilityStudy& study);
 

@@ -80,12 +80,18 @@ bool hasNoLocks(int reason) {
 }
 
 constexpr const char* owner_file = "machine";
+constexpr std::string_view starting = ".starting";  // a journal without its name yet
 
+/// A journal that another process is just about to lock may go too: that process makes a new one.
 void removeLeftovers(const fs::path& folder) {
   std::error_code ignored;
-  std::vector<fs::path> works;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored))
+  std::vector<fs::path> works, unnamed;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
     if (entry.path().extension() == ".work") works.push_back(entry.path());
+    if (entry.path().extension() == starting) unnamed.push_back(entry.path());
+  }
+  for (const fs::path& journal : unnamed)
+    if (isDead(journal)) fs::remove(journal, ignored);
   const std::string here = bootId();
   for (const fs::path& work : works) {
     const fs::path journal = fs::path(work).replace_extension(".journal");
@@ -100,27 +106,35 @@ void removeLeftovers(const fs::path& folder) {
 JournalWriter::JournalWriter(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
-  // It gets its name once it is locked: others take a journal that nobody holds for one whose writer is gone.
-  std::string name = (folder / "XXXXXX.starting").string();
-  constexpr int ending = 9;
-  if (!error) file_ = Descriptor(::mkostemps(name.data(), ending, O_APPEND | O_CLOEXEC));
+  if (error) throw RunError(fmt::format("{}: cannot be written: {}", folder.string(), error.message()));
+  constexpr int attempts = 20;
+  for (int attempt = 1; !makeIn(folder); ++attempt)
+    if (attempt == attempts)
+      throw RunError(folder.string() + ": cannot be written: journals vanish as they are made");
+  std::ofstream(work_ / owner_file) << bootId() << "\n";  // without it nobody removes the folder
+  removeLeftovers(folder);
+}
+
+/// Makes the journal and its folder of work. It gets its name once it is locked: others take a journal that
+/// nobody holds for one whose writer is gone. False where one has done so before it was locked.
+bool JournalWriter::makeIn(const fs::path& folder) {
+  std::error_code error;
+  std::string name = (folder / "XXXXXX").string().append(starting);
+  file_ = Descriptor(::mkostemps(name.data(), static_cast<int>(starting.size()), O_APPEND | O_CLOEXEC));
   if (!file_.open())
-    throw RunError(fmt::format("{}: cannot be written: {}", folder.string(),
-                               error ? error.message() : std::strerror(errno)));
+    throw RunError(fmt::format("{}: cannot be written: {}", folder.string(), std::strerror(errno)));
   ::fchmod(file_.number(), 0644);
   const bool locked = ::flock(file_.number(), LOCK_EX) == 0 || hasNoLocks(errno);
   if (!locked) error = {errno, std::generic_category()};
   path_ = fs::path(name).replace_extension(".journal");
   work_ = fs::path(name).replace_extension(".work");
   if (!error) fs::rename(name, path_, error);
+  if (error == std::errc::no_such_file_or_directory) return false;
   if (!error) fs::create_directory(work_, error);
-  if (error) {
-    std::error_code ignored;
-    for (const fs::path& made : {fs::path(name), path_}) fs::remove(made, ignored);
-    throw RunError(path_.string() + ": cannot be made: " + error.message());
-  }
-  std::ofstream(work_ / owner_file) << bootId() << "\n";  // without it nobody removes the folder
-  removeLeftovers(folder);
+  if (!error) return true;
+  std::error_code ignored;
+  for (const fs::path& made : {fs::path(name), path_}) fs::remove(made, ignored);
+  throw RunError(path_.string() + ": cannot be made: " + error.message());
 }
 
 JournalWriter::~JournalWriter() {

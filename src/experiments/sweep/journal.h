@@ -36,6 +36,8 @@ class JournalWriter {
   const std::filesystem::path& work() const { return work_; }
 
  private:
+  bool makeIn(const std::filesystem::path& folder);
+
   std::filesystem::path path_;
   std::filesystem::path work_;
   Descriptor file_;

@@ -139,6 +139,7 @@ TEST_F(JournalTest, LeftoversOfTheDeadAreRemovedAndOfTheLivingNot) {
     fs::copy(living.work() / "machine", folder_ / ours / "machine");
   std::ofstream(folder_ / "other.work" / "machine") << "another machine\n";
   std::ofstream(folder_ / "other.journal") << "";
+  std::ofstream(folder_ / "unnamed.starting") << "";
   std::ofstream(folder_ / "killed.work" / "3.part") << "half a part";
   {
     const JournalWriter another(folder_);
@@ -149,6 +150,7 @@ TEST_F(JournalTest, LeftoversOfTheDeadAreRemovedAndOfTheLivingNot) {
   EXPECT_FALSE(fs::exists(folder_ / "dead.work"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.work"));
   EXPECT_FALSE(fs::exists(folder_ / "killed.journal"));
+  EXPECT_FALSE(fs::exists(folder_ / "unnamed.starting"));
   EXPECT_TRUE(fs::exists(folder_ / "other.work"));  // its lock may not be seen here
   EXPECT_TRUE(fs::exists(folder_ / "other.journal"));
 }
