@@ -57,7 +57,7 @@ const std::vector<Wing> kWings = {
 
 /// Rooms that use less of the wings below than they could.
 const std::map<std::string, std::set<std::string>> kNarrow = {
-    {"law", {"text"}},
+    {"law", {"base", "text"}},
     {"scenario", {"base", "text", "files"}},
     {"motion", {"base", "text"}},
     {"mesh", {"base", "files"}},
@@ -95,6 +95,7 @@ const std::vector<Confined> kConfined = {
     {{"Bullet", "LinearMath", "bt"}, {"simulation/engine/"}},
     {{"hdf5", "H5"}, {"results/hdf5/", "results/store/", "results/table/", "results/paraview/"}},
     {{"yaml-cpp/"}, {"simulation/scenario/yaml_document.cpp"}},
+    {{"sleef.h"}, {"ground/base/reproducible.cpp"}},
     {{"GL/"}, {"views/render/"}},
     {{"assimp/"}, {"simulation/mesh/file_mesh.cpp"}},
     {{"png.h"}, {"views/picture/picture_file.cpp"}},

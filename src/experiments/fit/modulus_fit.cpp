@@ -8,6 +8,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
+#include "base/reproducible.h"
 #include "fit/fit_intervals.h"
 #include "fit/least_squares.h"
 #include "text/units.h"
@@ -44,10 +45,10 @@ class ModulusProblem {
 
   /// The coordinate of a value, and back.
   double onScale(std::size_t parameter, double value) const {
-    return parameter == 0 ? std::log(value / press_.youngs_modulus_Pa) : value / scales_[parameter];
+    return parameter == 0 ? reproducible::log(value / press_.youngs_modulus_Pa) : value / scales_[parameter];
   }
   double offScale(std::size_t parameter, double at) const {
-    return parameter == 0 ? press_.youngs_modulus_Pa * std::exp(at) : at * scales_[parameter];
+    return parameter == 0 ? press_.youngs_modulus_Pa * reproducible::exp(at) : at * scales_[parameter];
   }
 
   double force_N(const Values& values, double depth_m) const {

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.h"
+#include "base/reproducible.h"
 #include "scenario/range_check.h"
 #include "scenario/read_nested.h"
 #include "text/scalars.h"
@@ -107,7 +108,7 @@ std::vector<std::string> axisValues(const StabilityAxis& axis) {
   for (int i = 0; i < range.count; ++i) {
     const double share = i / static_cast<double>(range.count - 1);
     const double value = axis.linear ? range.from + share * (range.to - range.from)
-                                     : range.from * std::pow(range.to / range.from, share);
+                                     : range.from * reproducible::pow(range.to / range.from, share);
     const double rounded = *toReal(fmt::format("{:.12g}", value));  // 0.001, not 0.0009999999999999998
     texts.push_back(formatReal(i == 0 ? range.from : i + 1 == range.count ? range.to : rounded));
   }

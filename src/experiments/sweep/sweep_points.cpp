@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/reproducible.h"
 #include "text/scalars.h"
 
 namespace fissure {
@@ -25,7 +26,7 @@ double at(const SweepAxis& axis, double share) {
   if (share <= 0) return range.from;
   if (share >= 1) return range.to;
   if (axis.linear) return range.from + share * (range.to - range.from);
-  return range.from * std::pow(range.to / range.from, share);
+  return range.from * reproducible::pow(range.to / range.from, share);
 }
 
 std::string gridText(const SweepAxis& axis, std::size_t i) {

@@ -19,7 +19,8 @@ void SameTrianglesRoughness::add(const State& state) {
   addShared();
   for (Sums& sums : sums_) {
     const auto& [now_N, last_N, before_N] = sums.shared_N;
-    sums.difference_squared += std::pow(before_N.norm() - 2 * last_N.norm() + now_N.norm(), 2);
+    const double difference_N = before_N.norm() - 2 * last_N.norm() + now_N.norm();
+    sums.difference_squared += difference_N * difference_N;
   }
 }
 

@@ -26,7 +26,8 @@ void RunningMax::add(double value) {
 void Roughness::add(double value) {
   ++count_;
   sum_of_squares_ += value * value;
-  if (count_ >= 3) sum_of_squared_differences_ += std::pow(before_last_ - 2 * last_ + value, 2);
+  const double difference = before_last_ - 2 * last_ + value;
+  if (count_ >= 3) sum_of_squared_differences_ += difference * difference;
   before_last_ = last_;
   last_ = value;
 }

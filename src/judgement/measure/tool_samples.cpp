@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "base/error.h"
+#include "base/reproducible.h"
 
 namespace fissure {
 
@@ -129,7 +130,8 @@ void sampleBox(const Vec3& size, double spacing_m, ToolSamples& samples) {
         }
       }
     }
-    samples.coverage_m = std::max(samples.coverage_m, std::hypot(size[one] / n, size[other] / m) / 2);
+    samples.coverage_m =
+        std::max(samples.coverage_m, reproducible::hypot(size[one] / n, size[other] / m) / 2);
   }
 }
 

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/reproducible.h"
+
 namespace fissure {
 
 namespace {
@@ -27,7 +29,7 @@ bool isProvedOutside(const SurfacePart& part, std::span<const Vec3> vertices_m, 
     const double rest = size + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
     // With the point in the triangle's plane the angle is 0, or half of the sphere on either side.
     if (!(std::abs(volume) > kUnclear * size) && !(rest > kUnclear * size)) return false;
-    angle += 2 * std::atan2(volume, rest);
+    angle += 2 * reproducible::atan2(volume, rest);
   }
   return std::abs(angle) < std::numbers::pi;  // a quarter of one winding; NaN is not
 }

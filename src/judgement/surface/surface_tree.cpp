@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/rotation.h"
+
 namespace fissure {
 
 namespace {
@@ -33,8 +35,7 @@ TreeBox boxAround(std::span<const TreeTriangle> triangles) {
 
 const Mat3& SurfaceTree::frame() {
   static const Mat3 rotation =
-      Eigen::AngleAxisd(1.0, Vec3(std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)).normalized())
-          .toRotationMatrix();
+      matrixAbout(Vec3(std::sqrt(2.0), std::sqrt(3.0), std::sqrt(5.0)).normalized(), 1.0);
   return rotation;
 }
 

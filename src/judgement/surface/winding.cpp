@@ -7,6 +7,8 @@
 #include <numbers>
 #include <optional>
 
+#include "base/reproducible.h"
+
 namespace fissure {
 
 namespace {
@@ -115,7 +117,8 @@ double solidAngleWinding(const SurfaceTree& tree, const Vec3& point, std::size_t
     const double la = a.norm();
     const double lb = b.norm();
     const double lc = c.norm();
-    sum += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    sum +=
+        reproducible::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return sum / (2 * std::numbers::pi);
 }

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/reproducible.h"
 #include "contact/swept_pairs.h"
 
 namespace fissure {
@@ -25,7 +26,8 @@ double windingNumber(const Vec3& point_m, std::span<const Vec3> vertices_m, cons
     const Vec3 a = vertices_m[face[0]] - point_m, b = vertices_m[face[1]] - point_m,
                c = vertices_m[face[2]] - point_m;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    angle += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    angle +=
+        reproducible::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return angle / (2 * M_PI);
 }

@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "base/reproducible.h"
 #include "engine/convert.h"
 
 namespace fissure {
@@ -81,7 +82,7 @@ double energyDensity(const btSoftBody::TetraScratch& at, const Coefficients& law
   }
   const double alpha = 1 + 0.75 * law.mu_Pa / law.lambda_Pa;
   const auto density = [&](double trace, double volume) {
-    return 0.5 * law.mu_Pa * (trace - 3 - std::log(trace + 1)) +
+    return 0.5 * law.mu_Pa * (trace - 3 - reproducible::log(trace + 1)) +
            0.5 * law.lambda_Pa * (volume - alpha) * (volume - alpha);
   };
   return density(at.m_trace, at.m_J) - density(3, 1);

@@ -1,5 +1,5 @@
-#include <cmath>
 
+#include "base/reproducible.h"
 #include "law/laws.h"
 
 namespace fissure {
@@ -33,11 +33,11 @@ ForceLawEntry exponentialLaw() {
           .force = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawForce {
             if (deformation_m < 0) return {};
             // Without a size there is no force, however far exp() overflows.
-            const double elastic_N = of.k == 0 ? 0 : of.k * std::expm1(of.a * deformation_m);
+            const double elastic_N = of.k == 0 ? 0 : of.k * reproducible::expm1(of.a * deformation_m);
             return withoutAdhesion(elastic_N, of.c * rate_m_s);
           },
           .terms = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawTerms {
-            const double growth = std::expm1(of.a * deformation_m);
+            const double growth = reproducible::expm1(of.a * deformation_m);
             return {growth, rate_m_s, rate_m_s / growth};
           }};
 }

@@ -1,5 +1,5 @@
-#include <cmath>
 
+#include "base/reproducible.h"
 #include "law/laws.h"
 
 namespace fissure {
@@ -34,11 +34,11 @@ ForceLawEntry huntCrossleyLaw() {
           .shape_search = {.least = 0.2, .largest = 8, .starts = {1.0, 1.5, 2.2, 3.2}},
           .force = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawForce {
             if (deformation_m <= 0) return {};
-            const double power = std::pow(deformation_m, of.n);
+            const double power = reproducible::pow(deformation_m, of.n);
             return withoutAdhesion(of.k * power, of.lambda * power * rate_m_s);
           },
           .terms = [](const LawCoefficients& of, double deformation_m, double rate_m_s) -> LawTerms {
-            const double power = std::pow(deformation_m, of.n);
+            const double power = reproducible::pow(deformation_m, of.n);
             return {power, power * rate_m_s, rate_m_s};
           }};
 }

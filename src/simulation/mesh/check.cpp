@@ -7,6 +7,7 @@
 #include <set>
 #include <tuple>
 
+#include "base/reproducible.h"
 #include "mesh/defect_list.h"
 #include "mesh/edges.h"
 #include "mesh/shells.h"
@@ -143,14 +144,15 @@ void checkSense(const TriangleMesh& mesh, double unit_m, const std::vector<std::
   Eigen::AlignedBox3d bounds;
   for (const Face& face : mesh.faces)
     for (const Vec3& corner : cornersOf(mesh, face)) bounds.extend(corner);
-  if (shells.size() == 1 && std::abs(volume) <= emptiness * std::pow(bounds.diagonal().norm(), 3))
+  if (shells.size() == 1 && std::abs(volume) <= emptiness * reproducible::pow(bounds.diagonal().norm(), 3))
     return report.add(DefectKind::no_volume, "no enclosed volume (the surface is a folded sheet)");
   const Nesting nesting(mesh, shells);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < shells.size(); ++i)
     wrong += signedVolume(mesh, shells[i]) < 0 && nesting.depth(i) % 2 == 0;
   if (wrong > 0)
-    report.add(DefectKind::inside_out, insideOut(wrong, shells.size(), volume * std::pow(unit_m, 3)));
+    report.add(DefectKind::inside_out,
+               insideOut(wrong, shells.size(), volume * reproducible::pow(unit_m, 3)));
 }
 
 }  // namespace

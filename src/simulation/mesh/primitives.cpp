@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/reproducible.h"
 #include "mesh/box_grid.h"
 #include "mesh/split_faces.h"
 
@@ -20,7 +21,9 @@ std::vector<int> drawApart(TriangleMesh& sphere, double length_m) {
     if (x_m == 0) ring.push_back(v);
     x_m += x_m > 0 ? length_m / 2 : -length_m / 2;
   }
-  const auto angle = [&](int v) { return std::atan2(sphere.vertices_m[v].z(), sphere.vertices_m[v].y()); };
+  const auto angle = [&](int v) {
+    return reproducible::atan2(sphere.vertices_m[v].z(), sphere.vertices_m[v].y());
+  };
   std::sort(ring.begin(), ring.end(), [&](int a, int b) { return angle(a) < angle(b); });
   return ring;
 }

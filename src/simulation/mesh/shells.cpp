@@ -4,6 +4,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/reproducible.h"
 #include "mesh/triangle.h"
 
 namespace fissure {
@@ -15,7 +16,8 @@ double windingAt(const TriangleMesh& mesh, const std::vector<Face>& faces, const
     const auto corners = cornersOf(mesh, face);
     const Vec3 a = corners[0] - point, b = corners[1] - point, c = corners[2] - point;
     const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    half_angle += std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+    half_angle +=
+        reproducible::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
   }
   return half_angle / (2 * std::numbers::pi);
 }

@@ -2,6 +2,8 @@
 
 #include <numbers>
 
+#include "base/rotation.h"
+
 namespace fissure {
 
 namespace {
@@ -12,7 +14,7 @@ Pose jawInClamp(const ClampSettings& clamp, const ClampPart& closed, double side
   if (clamp.opening == ClampOpening::parallel)
     return {closed.position_m + Vec3(side * 0.5 * opening, 0, 0), orientation};
   const Vec3 hinge_m(0, clamp.hinge_height_m, 0);
-  const Quat turn(Eigen::AngleAxisd(side * 0.5 * opening * std::numbers::pi / 180, Vec3::UnitZ()));
+  const Quat turn = quaternionAbout(Vec3::UnitZ(), side * 0.5 * opening * std::numbers::pi / 180);
   return {hinge_m + turn * (closed.position_m - hinge_m), turn * orientation};
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "base/reproducible.h"
+
 namespace fissure {
 
 std::vector<Vec3> monotoneSlopes(std::span<const double> times_s, std::span<const Vec3> positions_m) {
@@ -25,7 +27,7 @@ std::vector<Vec3> monotoneSlopes(std::span<const double> times_s, std::span<cons
     const Vec3 middle = secant(i);
     for (int axis = 0; axis < 3; ++axis) {
       double &from = slopes[i][axis], &to = slopes[i + 1][axis];
-      const double steepness = std::hypot(from, to), limit = 3 * std::abs(middle[axis]);
+      const double steepness = reproducible::hypot(from, to), limit = 3 * std::abs(middle[axis]);
       if (steepness <= limit) continue;
       from *= limit / steepness;
       to *= limit / steepness;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/error.h"
+#include "base/rotation.h"
 #include "motion/monotone_cubic.h"
 #include "text/scalars.h"
 #include "text/units.h"
@@ -187,7 +188,7 @@ Pose ReplayedMotion::handAt(double time_s) const {
   const double length_s = times_s_[i + 1] - times_s_[i];
   const double u = (t - times_s_[i]) / length_s;
   Pose pose = sample(i);
-  pose.orientation = pose.orientation.slerp(u, sample(i + 1).orientation);
+  pose.orientation = slerp(pose.orientation, u, sample(i + 1).orientation);
   pose.position_m = slopes_m_s_.empty() ? (1 - u) * positions_m_[i] + u * positions_m_[i + 1]
                                         : hermite(positions_m_[i], positions_m_[i + 1], slopes_m_s_[i],
                                                   slopes_m_s_[i + 1], length_s, u);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "base/rotation.h"
 #include "motion/timing.h"
 
 namespace fissure {
@@ -83,7 +84,7 @@ Pose ScriptedMotion::poseAt(double time_s) const {
   const Piece* piece = pieceAt(time_s, way);
   if (!piece) return pieces_.empty() || time_s >= duration_s_ ? last_ : first_;
   return {(1 - way) * piece->from.position_m + way * piece->to.position_m,
-          piece->from.orientation.slerp(way, piece->to.orientation)};
+          slerp(piece->from.orientation, way, piece->to.orientation)};
 }
 
 double ScriptedMotion::openingAt(double time_s) const {

@@ -116,7 +116,8 @@ void Run::makeCouplings() {
 }
 
 // A law's force is that of the step before: this step's follows from where the tool goes. In steps of a
-// micronewton, so that the last bit of pow(), which differs between processors, does not reach the motion.
+// micronewton, so that a last bit of a shell's force, which may differ between processors, does not reach the
+// motion (engine/METHOD.md 6).
 void Run::moveCoupled(std::vector<Pose>& poses) {
   for (Coupled& coupled : coupled_) {
     Pose& pose = poses[coupled.tool];

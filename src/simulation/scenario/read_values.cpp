@@ -6,6 +6,7 @@
 #include <limits>
 #include <numbers>
 
+#include "base/reproducible.h"
 #include "base/utf8.h"
 #include "scenario/compose.h"
 #include "scenario/read_map.h"
@@ -59,8 +60,8 @@ Quat readAxisAngle(const YamlNode& node, const std::string& path) {
   const double length = axis.stableNorm();
   if (!(length > 0)) failAt(node.find("axis")->origin, path + ".axis is zero, expected a direction");
   const double half_rad = std::fmod(angle_deg, 720) / 360 * std::numbers::pi;
-  const Vec3 xyz = axis / length * std::sin(half_rad);
-  Quat turn(std::cos(half_rad), xyz.x(), xyz.y(), xyz.z());
+  const Vec3 xyz = axis / length * reproducible::sin(half_rad);
+  Quat turn(reproducible::cos(half_rad), xyz.x(), xyz.y(), xyz.z());
   for (double& value : turn.coeffs())  // half a turn has a w of 0, not of 6e-17
     if (std::abs(value) < std::numeric_limits<double>::epsilon()) value = 0;
   return turn.normalized();

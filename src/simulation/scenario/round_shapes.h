@@ -17,8 +17,8 @@ struct SphereShape {
   double radius_m = 0.03;
   int subdivisions = 2;
 
-  double triangles() const { return 8 * std::pow(4, subdivisions); }
-  double tetrahedra() const { return 8 * std::pow(8, subdivisions); }
+  double triangles() const { return std::ldexp(8, 2 * subdivisions); }
+  double tetrahedra() const { return std::ldexp(8, 3 * subdivisions); }
 
   bool operator==(const SphereShape&) const = default;
 };
@@ -43,9 +43,9 @@ struct CapsuleShape {
     const double edge_m = 2 * std::numbers::pi * radius_m / around();
     return 2 * std::fmax(1, std::round(length_m / (2 * edge_m)));
   }
-  double triangles() const { return 8 * std::pow(4, subdivisions) + 2.0 * around() * rows(); }
+  double triangles() const { return std::ldexp(8, 2 * subdivisions) + 2.0 * around() * rows(); }
   double tetrahedra() const {
-    return 8 * std::pow(8, subdivisions) + 12 * rows() * std::pow(4, subdivisions);
+    return std::ldexp(8, 3 * subdivisions) + std::ldexp(12 * rows(), 2 * subdivisions);
   }
 
   bool operator==(const CapsuleShape&) const = default;

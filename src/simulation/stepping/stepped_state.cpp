@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "base/rotation.h"
+
 namespace fissure {
 
 namespace {
@@ -46,7 +48,7 @@ void SteppedState::beginStep(const std::vector<Pose>& poses,
   before_ = state_.tools;
   for (std::size_t t = 0; t < poses.size(); ++t) {
     ToolState& tool = state_.tools[t];
-    const Eigen::AngleAxisd turn(poses[t].orientation * tool.pose.orientation.conjugate());
+    const Eigen::AngleAxisd turn = axisAndAngle(poses[t].orientation * tool.pose.orientation.conjugate());
     tool.velocity_m_s = (poses[t].position_m - tool.pose.position_m) / step_s_;
     tool.angular_velocity_rad_s = turn.axis() * (turn.angle() / step_s_);
     tool.pose = poses[t];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "base/rotation.h"
 #include "base/state.h"
 
 namespace fissure {
@@ -9,7 +10,7 @@ namespace fissure {
 inline ToolState between(const ToolState& from, const ToolState& to, double share) {
   ToolState at = to;
   at.pose.position_m = from.pose.position_m + share * (to.pose.position_m - from.pose.position_m);
-  at.pose.orientation = from.pose.orientation.slerp(share, to.pose.orientation);
+  at.pose.orientation = slerp(from.pose.orientation, share, to.pose.orientation);
   return at;
 }
 

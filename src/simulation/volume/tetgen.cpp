@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.h"
+#include "base/reproducible.h"
 #include "files/temporary_folder.h"
 #include "files/write_file.h"
 #include "process/fed_process.h"
@@ -46,7 +47,7 @@ std::string switchesOf(const FillSettings& settings) {
   // A regular tetrahedron of edge a has the volume a^3 / (6 sqrt(2)). TetGen reads no exponents.
   if (settings.max_edge_m)
     text << "a" << std::fixed << std::setprecision(24)
-         << std::pow(*settings.max_edge_m, 3) / (6 * std::sqrt(2.0));
+         << reproducible::pow(*settings.max_edge_m, 3) / (6 * std::sqrt(2.0));
   if (settings.keep_surface) text << "Y";
   return text.str() + "S1000000Q";
 }
