@@ -74,7 +74,7 @@ class Seen:
     incomplete: list
     changed: list  # what the command should have left as it was
     message: list
-    again: bool
+    again: bool | None     # whether a second run completed as undisturbed; None: it had nothing to do
     bad: list = dataclasses.field(default_factory=list)
 
 
@@ -84,7 +84,7 @@ def message_of(ended):
 
 
 def names_what_failed(line):
-    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\bd\b|\bout\b|/", line) is not None
+    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\b(d|out): ", line) is not None
 
 
 def look(shop, case, ended, kind="", call="", mode=Mode("", {})):
@@ -96,7 +96,7 @@ def look(shop, case, ended, kind="", call="", mode=Mode("", {})):
     seen = Seen(kind, call, ended.returncode, [name for name in different if name in shop.names],
                 [name for name in different if name not in shop.names],
                 [name for name in names(shop.folder) if name in shop.names and not is_whole(shop, name)],
-                changed, message_of(ended), True)
+                changed, message_of(ended), None)
     recorded = re.search(r"\b(failed|crashed|timeout)\b", ended.stdout) is not None
     reason = os.strerror(shop.control.error) if shop.control.error else ""
     complete = not different and not any(name.endswith(".journal") for name in shop.names)
@@ -125,7 +125,7 @@ def judge(seen, recorded, reason):
         seen.bad.append("incomplete file")
     if seen.changed:
         seen.bad.append("finished file changed")
-    if not seen.again:
+    if seen.again is False:
         seen.bad.append("second run differs")
 
 
@@ -180,7 +180,7 @@ def row(case, fault, calls, found):
     count = lambda test: sum(1 for seen in found if test(seen))
     cells = [case, fault, calls, f"{len(found)}" + (f": {kinds}" if kinds else ""), counted(str(seen.exit) for seen in found),
              count(lambda seen: seen.lost), count(lambda seen: "false success" in seen.bad), count(lambda seen: seen.incomplete),
-             count(lambda seen: seen.changed), count(lambda seen: seen.litter), f"{count(lambda seen: seen.again)} of {len(found)}",
+             count(lambda seen: seen.changed), count(lambda seen: seen.litter), f"{count(lambda seen: seen.again)} of {count(lambda seen: seen.again is not None)}",
              count(lambda seen: seen.bad)]
     return "| " + " | ".join(map(str, cells)) + " |"
 
@@ -197,10 +197,10 @@ often which code. Lost: trials after which a final file is missing or other than
 code 0. Incomplete: a file under a final name that is not whole. Changed: results that were finished before, and are not bit by
 bit the same. Litter: trials that left what a command removes at its end, because removing itself failed; the second run
 removes it. Again: second runs without a fault that completed and equal the undisturbed one in all files, outside
-timing/ and provenance. Bad: trials with anything not as promised: also a failure without one line that names the file and the
+timing/ and provenance, of those that had something to do. Bad: trials with anything not as promised: also a failure without one line that names the file and the
 system's reason, an alarm though all is there, or no end within a minute.
 
-**{trials} trials: {lost} lost something, {falsely} of them falsely; {incomplete} incomplete files, {changed} changed results, {again} of {trials} second runs
+**{trials} trials: {lost} lost something, {falsely} of them falsely; {incomplete} incomplete files, {changed} changed results, {again} of {seconds} second runs
 as undisturbed, {bad} not as promised.**
 
 | command | fault | calls | failed | exit | lost | falsely | incomplete | changed | litter | again | bad |
@@ -215,12 +215,13 @@ def section(arguments, rows, everything):
     return HEADING + TEXT.format(
         command=command, every=arguments.every, every_other=arguments.every_other, trials=len(everything), lost=total(lambda seen: seen.lost),
         falsely=total(lambda seen: "false success" in seen.bad), incomplete=total(lambda seen: seen.incomplete),
-        changed=total(lambda seen: seen.changed), again=total(lambda seen: seen.again),
+        changed=total(lambda seen: seen.changed), again=total(lambda seen: seen.again), seconds=total(lambda seen: seen.again is not None),
         bad=total(lambda seen: seen.bad)) + "\n".join(rows) + "\n"
 
 
 def write_section(page, text):
-    """In the place of the section of before; what stands above it is that of scripts/fault_campaign.py."""
+    """Puts the text in the place of the section of before; what stands above it is that of scripts/fault_campaign.py."""
+    page.parent.mkdir(parents=True, exist_ok=True)
     above = page.read_text().partition(HEADING)[0].rstrip() if page.exists() else ""
     page.write_text(above + "\n\n" + text)
 

@@ -391,6 +391,7 @@ def main():
             print(rows[-1], flush=True)
     tail = "".join(f"\nLeft out, it takes root: {name}.\n" for name in left_out) + TAIL
     text = head(arguments, everything, killed, too_late, references) + "\n".join(rows) + "\n" + tail
+    arguments.output.parent.mkdir(parents=True, exist_ok=True)
     calls = arguments.output.read_text().partition("\n## ")[1:] if arguments.output.exists() else ()
     arguments.output.write_text(text + "".join(calls))  # the section of scripts/fault_calls.py stays
     return 1 if any(seen["bad"] for seen in everything) else 0

@@ -199,7 +199,7 @@ class Workshop:
 
 
 def names(folder):
-    """Of all files, relative; those that get a name by chance under one that is the same in each run."""
+    """All files, relative to the folder. Journals, whose names are drawn by chance, have the same name in each run."""
     found = []
     for path in sorted(folder.rglob("*")):
         if path.is_file():

@@ -9,7 +9,7 @@
 Scenes are drawn by scene_generator.py, invariants stand in scene_invariants.py. A scene that breaks one is made smaller while it still
 does and written to a folder below FOLDER (out/scenes): scene.yaml with its files, scene.json, and why.txt with seed, invariant and command.
 summary.json holds the counts. What does not hold for a stated reason is counted as explained. Each invariant is also shown a result that
-was changed, and must say so. Exit 1 when something is broken, or an invariant was never asked or missed its change.
+was changed, and must say so. Exit 1 when something is broken, or (with --check) an invariant was never asked or missed its change.
 """
 import argparse
 import collections
@@ -319,7 +319,7 @@ def main():
     parser.add_argument("--only", type=int, help="one scene of the seed")
     parser.add_argument("--again", type=pathlib.Path, help="a folder of a scene that broke an invariant")
     parser.add_argument("-j", type=int, default=2, help="scenes at a time")
-    parser.add_argument("-o", "--output", type=pathlib.Path, default=pathlib.Path("out/scenes"))
+    parser.add_argument("-o", "--output", type=pathlib.Path, default=ROOT / "out/scenes")
     arguments = parser.parse_args()
     if arguments.again:
         return again(arguments)

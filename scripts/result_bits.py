@@ -29,7 +29,7 @@ def contents(path):
 
 
 def places_that_differ(one, two):
-    """Of arrays of one type and shape, bit by bit: NaN is NaN, and -0 is not 0."""
+    """The places at which two arrays of one type and shape differ in a bit: NaN is NaN, and -0 is not 0."""
     if one.dtype.kind in "OSU":
         return [at for at, (a, b) in enumerate(zip(one.ravel().tolist(), two.ravel().tolist())) if str(a) != str(b)]
     raw = [numpy.frombuffer(array.tobytes(), numpy.uint8).reshape(array.size, array.dtype.itemsize) for array in (one, two)]
@@ -37,7 +37,7 @@ def places_that_differ(one, two):
 
 
 def first_difference(one, two):
-    """Of two contents: what differs, or None. The hash of a final state comes last, because it says least."""
+    """What differs first in two contents, or None. The hash of a final state comes last, because it says least."""
     for name in sorted(set(one) ^ set(two)):
         return f"{name} is in one of them alone"
     for name in sorted(one, key=lambda n: (n.endswith("final_state_hash"), n)):

@@ -117,7 +117,7 @@ def no_number_is_missing(case):
                 continue
             overflows = any(key.startswith("force_non_finite_at_step_") for key in run.summary)
             if ("_force_" in f"_{name}" or "_resultant_" in name) and overflows or name == "first_contact_time_s" and not touched or "roughness" in name or name.endswith("final_lag_m"):
-                continue  # of nothing
+                continue  # there is nothing that it could be of
             if "reaction" in name and (run.pipeline in BULLET or run.pipeline == "prescribed" or not momentum_response(run.settings(case.scenario))):
                 continue
             if name == "energy_balance_error" and (run.pipeline == "deformable" or not run["tool_work"].any() if "tool_work" in run else True):
@@ -325,7 +325,7 @@ def momentum_balances(case):
 
 
 def energy_balances(case):
-    """Of elastic tissue: the error is what the other energies leave, losses only grow, and elements at rest have none."""
+    """Energies of elastic tissue balance: the error is what the other energies leave, losses only grow, and elements at rest have none."""
     for run in case.finished():
         if "stored_energy" not in run or run.status != "ok" or run.pipeline == "deformable":
             continue

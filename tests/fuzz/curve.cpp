@@ -38,7 +38,7 @@ void takeCurve(const std::string& bytes) {
     });
     if (!good) continue;
     for (const MeasuredCurve& curve : curves) requireCurve(curve);
-    const MeasuredCurve all = joined(curves);  // of one file they are of one kind
+    const MeasuredCurve all = joined(curves);  // the curves of a file are of one kind
     require(isOneLine(all.name), "joined curves have a name");
   }
 }

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "files/disk_error.h"
+#include "files/temporary_file.h"
 
 namespace fissure {
 
@@ -14,13 +15,13 @@ void writeFile(const std::filesystem::path& file, const std::string& text) {
 }
 
 void replaceFile(const std::filesystem::path& file, const std::string& text) {
-  std::filesystem::path part = file;
-  part += ".part";
-  if (tryWritingFile(part, text) && std::rename(part.c_str(), file.c_str()) == 0) return;
-  const std::string reason = std::strerror(errno);
-  std::error_code ignored;
-  std::filesystem::remove(part, ignored);
-  throw DiskError(file.string() + ": cannot write: " + reason);
+  try {
+    TemporaryFile temporary(file);
+    temporary.write(text);
+    temporary.commit();
+  } catch (const RunError& error) {
+    throw DiskError(file.string() + ": " + error.what());
+  }
 }
 
 bool tryWritingFile(const std::filesystem::path& file, const std::string& text) {

@@ -9,7 +9,7 @@ namespace fissure {
 /// reason (no space left, too many open files ...).
 void writeFile(const std::filesystem::path& file, const std::string& text);
 
-/// The same, but the file appears with all of the text, or stays as it was: `<file>.part` becomes it.
+/// The same, but the file appears with all of the text, or stays as it was (TemporaryFile).
 void replaceFile(const std::filesystem::path& file, const std::string& text);
 
 /// As writeFile(), but returns false where writeFile() throws; errno has the reason.

@@ -119,7 +119,8 @@ TEST(Elastic, RegionsOutOfRangeAreRefused) {
   EXPECT_EQ(problems([](Regions& r) { r[0].name = "a b"; }), Paths{path + ".0.name"});
   EXPECT_EQ(problems([](Regions& r) { r[0].youngs_modulus_Pa = 0; }),
             Paths{path + ".part.youngs_modulus_Pa"});
-  EXPECT_EQ(problems([](Regions& r) { r[0].poissons_ratio = 0.49995; }), Paths{path + ".part.poissons_ratio"});
+  EXPECT_EQ(problems([](Regions& r) { r[0].poissons_ratio = 0.49995; }),
+            Paths{path + ".part.poissons_ratio"});
   EXPECT_EQ(problems([](Regions& r) { r[0].density_kg_m3 = nan; }), Paths{path + ".part.density_kg_m3"});
   EXPECT_EQ(problems([](Regions& r) { r[0].viscosity_Pa_s = -1; }), Paths{path + ".part.viscosity_Pa_s"});
   EXPECT_EQ(problems([](Regions& r) { r[0].preset = "livver"; }), Paths{path + ".part.preset"});
