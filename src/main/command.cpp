@@ -41,7 +41,7 @@ std::vector<std::string> longOptions(const CLI::App& command) {
 
 /// What is wrong with an argument that a command does not know: 'no option --forc, did you mean "--force"?'.
 std::string unknownText(std::string given, const CLI::App& command) {
-  given = given.substr(0, given.find('='));
+  given.resize(std::min(given.find('='), given.size()));
   std::vector<std::string> commands;
   for (const CLI::App* below : command.get_subcommands(nullptr)) commands.push_back(below->get_name());
   if (given.starts_with("-")) {

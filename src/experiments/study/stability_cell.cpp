@@ -93,7 +93,7 @@ std::vector<Override> StabilityCells::axisOverrides(const std::vector<std::strin
     if (axis.multiplies.empty()) {
       std::string path = axis.path;
       if (const std::size_t star = path.find(".*."); star != std::string::npos)
-        path = path.substr(0, star + 1) + pipeline_ + path.substr(star + 2);
+        path.replace(star + 1, 1, pipeline_);
       overrides.push_back({path, values[a]});
       continue;
     }

@@ -160,7 +160,7 @@ class Assimp {
 std::string shortened(const std::string& complaint) {
   constexpr std::size_t longest = 120;
   std::string line = complaint.substr(0, complaint.find('\n'));
-  if (line.size() > longest) line = line.substr(0, longest) + "...";
+  if (line.size() > longest) line.replace(longest, std::string::npos, "...");
   std::replace_if(
       line.begin(), line.end(), [](unsigned char c) { return c < 0x20 || c >= 0x7f; }, ' ');
   return line;

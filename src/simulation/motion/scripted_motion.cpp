@@ -42,8 +42,8 @@ double moveDuration_s(const MotionSegment& segment, double distance_m, const std
 
 }  // namespace
 
-ScriptedMotion::ScriptedMotion(const ScriptMotion& settings, const std::string& where) {
-  first_ = {settings.start_m, unit(settings.start_orientation, where + ".start_orientation")};
+ScriptedMotion::ScriptedMotion(const ScriptMotion& settings, const std::string& where)
+    : first_{settings.start_m, unit(settings.start_orientation, where + ".start_orientation")} {
   last_ = first_;
   first_opening_ = settings.start_opening_deg.value_or(settings.start_opening_m.value_or(0));
   last_opening_ = first_opening_;

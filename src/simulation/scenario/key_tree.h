@@ -80,6 +80,7 @@ class KeyCollector {
   static void fill(KeyNode& node, std::optional<T>& value) {
     if (value) return fill(node, *value);
     T unset{};
+    if constexpr (requires { unset.setIdentity(); }) unset.setIdentity();  // Eigen leaves it as it is
     fill(node, unset);
     node.default_json.clear();
   }
@@ -90,6 +91,7 @@ class KeyCollector {
   template <class T>
   static void fill(KeyNode& node, std::vector<T>&) {
     T item{};
+    if constexpr (requires { item.setIdentity(); }) item.setIdentity();
     fill(node, item);
     node.lists.insert(node.lists.begin(), 0);
     node.default_json = "[]";
