@@ -100,6 +100,10 @@ class Case:
         """With what `tissue` stands for."""
         return yaml.safe_load(self.resolved)["force"]
 
+    def bodies(self):
+        """With all defaults."""
+        return yaml.safe_load(self.resolved)["bodies"]
+
     def mass_kg(self, run):
         """Mass of all tissue, or None where it is a preset's."""
         body = self.scenario["bodies"][0]
