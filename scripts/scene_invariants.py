@@ -332,7 +332,7 @@ def energy_balances(case):
         total = run["kinetic_energy"] + run["stored_energy"] + run["gravity_energy"] + run["viscous_loss"] + run["mass_damping_loss"] - run["contact_work"]
         size = max(np.abs(run[name]).max() for name in ("kinetic_energy", "stored_energy", "gravity_energy", "viscous_loss", "mass_damping_loss", "contact_work"))
         complaint = ""
-        stiffest = max(body["elastic"]["youngs_modulus_Pa"] for body in case.bodies() if body["model"] == "elastic")
+        stiffest = max(float(body["elastic"]["youngs_modulus_Pa"]) for body in case.bodies() if body["model"] == "elastic")
         if size > 0 and np.abs(total - total[0] - run["energy_error"] + run["energy_error"][0]).max() > ROUNDING * size:
             complaint = f"energy_error is off by {np.abs(total - total[0] - run['energy_error']).max() / size:.3g} of the largest energy"
         # Velocities are half a substep behind positions, and losses and stored energy are taken between: near 0 they are off by a share of all energy.
