@@ -84,7 +84,7 @@ def message_of(ended):
 
 
 def names_what_failed(line):
-    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\b(d|out): ", line) is not None
+    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\b(d|out)(/\w+)?: ", line) is not None
 
 
 def look(shop, case, ended, kind="", call="", mode=Mode("", {})):
