@@ -379,6 +379,23 @@ TEST_F(ProbesTest, TimingLeavesTheInitialStateOut) {
   EXPECT_DOUBLE_EQ(real("timing/real_time_factor"), 1000 / 50.5);
 }
 
+// Percentiles of a long run are of evenly spaced steps; mean and maximum are of all.
+TEST_F(ProbesTest, TimingOfALongRunIsOfAllItsSteps) {
+  start();
+  constexpr int kSteps = 140000;
+  double sum_us = 0;
+  for (int i = 0; i < kSteps; ++i) {
+    const double step_us = i == 1 ? 5000 : i % 1000;
+    sum_us += step_us;
+    state_.timing = {step_us, 0};
+    step();
+  }
+  EXPECT_NEAR(real("timing/p50_step_us"), 499.5, 3);
+  EXPECT_NEAR(real("timing/p99_step_us"), 989.5, 3);
+  EXPECT_EQ(real("timing/max_step_us"), 5000);
+  EXPECT_DOUBLE_EQ(real("timing/mean_step_us"), sum_us / kSteps);
+}
+
 TEST_F(ProbesTest, StepsAndHashOfTheLastState) {
   start();
   step();
