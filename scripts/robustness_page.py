@@ -17,7 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMANDS = """\
     mkdir -p out/robustness
     scripts/fuzz --seconds 60 > out/robustness/fuzz.json
-    /usr/bin/python3 scripts/random_scenes.py --count 120 --seed 2 -o out/robustness/scenes
+    /usr/bin/python3 scripts/random_scenes.py --count 100 --seed 2 -o out/robustness/scenes
     /usr/bin/python3 scripts/endurance.py --steps 1000000 --simulations 1000 --kills 10 -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
     /usr/bin/python3 scripts/robustness_page.py"""
@@ -62,12 +62,12 @@ def endured(found):
     rows = []
     for one in found["runs"]:
         if "last_kib" in one:
-            rows.append((one["scenario"], one["pipeline"], f"{one['steps']:,}", f"{one['wall_s'] / 3600:.2f}", f"{one['first_kib'] / 1024:.1f} to "
+            rows.append((one["scenario"], one["pipeline"], f"{one['steps']:,}", f"{one['wall_s'] / 60:.1f}", f"{one['first_kib'] / 1024:.1f} to "
                          f"{one['last_kib'] / 1024:.1f}", f"{one['first_us']:.1f} to {one['last_us']:.1f}", one.get("bad", "")))
         else:
             rows.append((one["scenario"], one["pipeline"], f"{one['steps']:,}", "", "", "", one.get("bad", "")))
     sweep = found["sweep"]
-    text = table(("scene", "pipeline", "steps", "hours", "memory, MiB", "a step, us", "not as promised"), rows)
+    text = table(("scene", "pipeline", "steps", "minutes", "memory, MiB", "a step, us", "not as promised"), rows)
     text += "\n\nMemory and times: medians of the second and of the last tenth of the run; times are of a shared machine."
     text += (f"\n\n**A sweep of {sweep['simulations']:,} simulations, killed {sweep['kills']} times at random moments and resumed: {sweep.get('ok', 0):,} "
              f"are there once and ok; {sweep.get('differ', '-')} of {sweep.get('compared', '-')} drawn at random differ in a bit of "
