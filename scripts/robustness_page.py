@@ -18,7 +18,7 @@ COMMANDS = """\
     mkdir -p out/robustness
     scripts/fuzz --seconds 60 > out/robustness/fuzz.json
     /usr/bin/python3 scripts/random_scenes.py --count 100 --seed 2 -o out/robustness/scenes
-    /usr/bin/python3 scripts/endurance.py --steps 1000000 --simulations 1000 --kills 10 -o out/robustness/endurance
+    /usr/bin/python3 scripts/endurance.py --simulations 1000 --kills 10 -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
     /usr/bin/python3 scripts/robustness_page.py"""
 
@@ -113,8 +113,8 @@ def main():
 
 {COMMANDS}
 
-These are short runs. Each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance
-(ten million and ten thousand where nothing is said).
+These are short runs. Each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--simulations` of endurance
+(ten thousand where nothing is said; ten million steps).
 
 ## Inputs of strangers
 
