@@ -80,7 +80,7 @@ std::pair<FitParameter, double> parseFixed(const std::string& text, ForceModel l
   return {parameter, *value};
 }
 
-/// Of a ranking: nothing but F0 can be fixed.
+/// Returns the F0 that the options fix. A ranking of laws can fix nothing else.
 std::optional<double> fixedOffset_N(const FitOptions& options) {
   std::optional<double> offset_N;
   for (const std::string& text : options.fixed) {

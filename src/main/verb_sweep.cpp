@@ -70,7 +70,7 @@ void printEstimate(const SweepEstimate& estimate, std::size_t tasks, std::size_t
   out << "\n";
 }
 
-/// Of the plan, in its order.
+/// Returns the tasks of a shard, in the order of the plan.
 std::vector<std::size_t> tasksOf(const SweepPlan& plan, const Shard& shard) {
   std::vector<std::size_t> tasks;
   for (std::size_t task = 0; task < plan.tasks().size(); ++task)

@@ -56,8 +56,8 @@ Height heightAgainst(const TreeTriangle& t, int sign, const Vec3& point) {
   return (volume > 0) == (sign > 0) ? Height::below : Height::above;
 }
 
-/// Of each point the signed number of triangles above it, without triangle `left_out`; no value where
-/// rounding leaves one of them open. Points that lie together are looked at together.
+/// Counts for each point the triangles above it, with their signs and without triangle `left_out`. A point
+/// has no value where rounding leaves one of them open. Points that lie together are looked at together.
 template <std::size_t N>
 std::array<std::optional<int>, N> countAbove(const SurfaceTree& tree, const std::array<Vec3, N>& points,
                                              std::size_t left_out) {

@@ -39,7 +39,7 @@ double mostHeldBy(double bytes) {
   return deflate_ratio * bytes + unwritten_bytes;
 }
 
-/// Of all values that the dataset states, as they are stored.
+/// Returns the size of all values that the dataset states, as they are stored.
 double statedBytes(hid_t dataset, const std::vector<hsize_t>& shape) {
   const Id type(H5Dget_type(dataset), H5Tclose, "cannot read the type of a dataset");
   double bytes = static_cast<double>(H5Tget_size(type));
