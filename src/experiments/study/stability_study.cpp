@@ -75,8 +75,7 @@ void keepOnly(const std::vector<std::string>& names, std::vector<StabilityMap>& 
   for (const StabilityMap& map : maps) known.push_back(map.name);
   for (const std::string& name : names)
     if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError(inFile(file), fmt::format("has no map \"{}\", expected one of {}{}", name,
-                                                 fmt::join(known, ", "), didYouMean(name, known)));
+      throw InputError(inFile(file), fmt::format("has no map \"{}\"{}", name, didYouMean(name, known)));
   std::erase_if(maps, [&](const StabilityMap& map) {
     return std::find(names.begin(), names.end(), map.name) == names.end();
   });
