@@ -23,8 +23,9 @@ import re
 import sys
 import tempfile
 
-from fault_cases import KINDS, ROOT, Workshop, bits, cases, digest, is_whole, names, unlike
+from fault_cases import KINDS, Workshop, bits, cases, digest, is_whole, names, unlike
 from fault_system import system_faults
+from fault_trial import ROOT
 
 HEADING = "## Calls that fail, and other faults of the system\n"
 FULL = bits("open", "write", "truncate", "sync", "mkdir")  # what needs room

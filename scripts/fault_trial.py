@@ -12,7 +12,7 @@ import time
 import h5py
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SAME_DATA = ROOT / "tests/programs/same_data.py"
+SAME_DATA = ROOT / "scripts/result_bits.py"
 HANG_S = 60
 PATIENCE_S = 5
 OUT = "out/run.h5"

@@ -1,5 +1,9 @@
-"""What results and sweeps' tables hold, bit by bit, for scripts/soak and scripts/determinism.py. Runs nothing by itself."""
+"""What results and sweeps' tables hold, bit by bit: compares two of them, or is imported by scripts that compare many.
+
+    result_bits.py FIRST SECOND      exit code 0 when they hold the same outside timing/ and provenance; else 1, and what differs is printed
+"""
 import hashlib
+import sys
 
 import h5py
 import numpy
@@ -36,22 +40,31 @@ def places_that_differ(one, two):
     return numpy.flatnonzero((raw[0] != raw[1]).any(axis=1))
 
 
-def first_difference(one, two):
-    """What differs first in two contents, or None. The hash of a final state comes last, because it says least."""
+def difference(name, a, b):
+    """What differs in two arrays of a name, in a sentence, or None."""
+    texts = a.dtype.kind == "U" and b.dtype.kind == "U"
+    if a.dtype != b.dtype and not texts or a.shape != b.shape:
+        return f"{name} is {a.dtype} {a.shape} and {b.dtype} {b.shape}"
+    different = places_that_differ(a, b)
+    if not len(different):
+        return None
+    at = int(different[0])
+    place = f" at {list(map(int, numpy.unravel_index(at, a.shape)))}" if a.shape else ""
+    values = " and ".join(str(array.ravel()[at])[:60].splitlines()[0] for array in (a, b))
+    return f"{name} differs in {len(different)} of {a.size} values, first{place}: {values}"
+
+
+def differences(one, two):
+    """What differs in two contents, a sentence for each name. The hash of a final state comes last, because it says least."""
     for name in sorted(set(one) ^ set(two)):
-        return f"{name} is in one of them alone"
-    for name in sorted(one, key=lambda n: (n.endswith("final_state_hash"), n)):
-        a, b = one[name], two[name]
-        texts = a.dtype.kind == "U" and b.dtype.kind == "U"
-        if a.dtype != b.dtype and not texts or a.shape != b.shape:
-            return f"{name} is {a.dtype} {a.shape} and {b.dtype} {b.shape}"
-        different = places_that_differ(a, b)
-        if len(different):
-            at = int(different[0])
-            place = f" at {list(map(int, numpy.unravel_index(at, a.shape)))}" if a.shape else ""
-            values = " and ".join(str(array.ravel()[at])[:60].splitlines()[0] for array in (a, b))
-            return f"{name} differs in {len(different)} of {a.size} values, first{place}: {values}"
-    return None
+        yield f"{name} is in one of them alone"
+    for name in sorted(set(one) & set(two), key=lambda n: (n.endswith("final_state_hash"), n)):
+        if said := difference(name, one[name], two[name]):
+            yield said
+
+
+def first_difference(one, two):
+    return next(differences(one, two), None)
 
 
 def hash_of(found):
@@ -63,3 +76,9 @@ def hash_of(found):
         digest.update(f"{name} {'text' if as_text else array.dtype} {array.shape}\n".encode())
         digest.update(repr(list(map(str, array.ravel().tolist()))).encode() if as_text else array.tobytes())
     return digest.hexdigest()
+
+
+if __name__ == "__main__":
+    FOUND = list(differences(contents(sys.argv[1]), contents(sys.argv[2])))
+    print("\n".join(FOUND))
+    sys.exit(1 if FOUND else 0)

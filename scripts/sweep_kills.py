@@ -23,7 +23,7 @@ import tempfile
 import time
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
-SAME_DATA = ROOT / "tests/programs/same_data.py"
+SAME_DATA = ROOT / "scripts/result_bits.py"
 SCENARIO = """\
 base: {root}/configs/spatula_press.yaml
 name: press

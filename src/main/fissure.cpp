@@ -10,7 +10,6 @@
 #include "batch/build_info.h"
 #include "batch/provenance.h"
 #include "main/exit_codes.h"
-#include "main/one_line.h"
 #include "main/verbs.h"
 #include "process/interrupt.h"
 #include "text/terminal_text.h"
@@ -35,7 +34,7 @@ int runVerb(const std::vector<Verb>& verbs) {
 }
 
 int fail(int code, const std::string& message) {
-  std::cerr << oneLine(message) << std::endl;
+  std::cerr << onOneLine(message) << std::endl;
   return code;
 }
 

@@ -26,12 +26,7 @@ struct SalvageOptions {
 
 /// The scenario of a part, cut down to the run that it is of.
 LoadedScenario scenarioOf(const PartContent& content, const std::string& part) {
-  LoadedScenario loaded;
-  try {
-    loaded = parseStoredScenario(content.scenario_resolved);
-  } catch (const InputError& error) {
-    throw InputError(inFile(part), std::string("its scenario cannot be read: ") + error.what());
-  }
+  LoadedScenario loaded = parseStoredScenario(content.scenario_resolved, part);
   std::erase_if(loaded.scenario.pipelines,
                 [&](const PipelineSettings& entry) { return entry.name != content.pipeline; });
   if (loaded.scenario.pipelines.empty())

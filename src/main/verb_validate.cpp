@@ -4,7 +4,6 @@
 #include "base/error.h"
 #include "check/scenario_warnings.h"
 #include "main/exit_codes.h"
-#include "main/one_line.h"
 #include "main/scenario_options.h"
 #include "main/verbs.h"
 
@@ -22,10 +21,10 @@ int validateScenarios(const ScenarioOptions& options) {
       for (const std::string& warning : scenarioWarnings(checked))
         std::cout << file << ": " << warning << "\n";
     } catch (const BadSurfaces& error) {
-      for (const std::string& line : error.lines()) std::cerr << oneLine(line) << "\n";
+      for (const std::string& line : error.lines()) std::cerr << onOneLine(line) << "\n";
       code = exit_usage;
     } catch (const InputError& error) {
-      std::cerr << oneLine(error.what()) << std::endl;
+      std::cerr << error.what() << std::endl;
       code = exit_usage;
     }
   }

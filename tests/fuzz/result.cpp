@@ -66,12 +66,7 @@ void readPart(const fs::path& file) {
   PartContent content;
   if (!accepts(file, Refusal::file, [&] { content = inspectPart(file); })) return;
   accepts(file, Refusal::file, [&] {
-    LoadedScenario loaded;
-    try {
-      loaded = parseStoredScenario(content.scenario_resolved);
-    } catch (const InputError& error) {  // whoever reads a stored scenario says of which file it is
-      throw InputError(inFile(file), error.what());
-    }
+    const LoadedScenario loaded = parseStoredScenario(content.scenario_resolved, file);
     assembleSalvaged(scratch() / "salvaged.h5", loaded, {},
                      {loaded.scenario.pipelines.front(), file, content.status});
   });

@@ -23,7 +23,8 @@ void takeScenario(const std::string& bytes) {
   };
   readsBack(loaded.resolved);
   readsBack(loaded.composed);
-  require(parseStoredScenario(loaded.resolved).scenario.bodies.size() == loaded.scenario.bodies.size(),
+  require(parseStoredScenario(loaded.resolved, "result.h5").scenario.bodies.size() ==
+              loaded.scenario.bodies.size(),
           "a stored scenario is read without its files");
 }
 

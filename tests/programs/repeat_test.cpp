@@ -30,7 +30,7 @@ TEST(Repeat, SameScenarioTwiceGivesTheSameData) {
   folder.write("s.yaml", pressScenario(all_pipelines, "0.05", record));
   ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "one.h5"}).code, 0);
   ASSERT_EQ(runFissure(folder, {"run", "s.yaml", "-o", "two.h5", "-j", "2"}).code, 0);
-  const std::string script = FISSURE_SOURCE_DIR "/tests/programs/same_data.py";
+  const std::string script = FISSURE_SOURCE_DIR "/scripts/result_bits.py";
   const Outcome same = runTool(folder, {python, script, "one.h5", "two.h5"});
   EXPECT_EQ(same.code, 0) << same.out << same.err;
   // The script must be able to see a difference.

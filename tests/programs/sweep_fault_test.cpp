@@ -42,7 +42,7 @@ class Disturbed : public testing::Test {
   void expectTruth(const std::string& name) {
     EXPECT_EQ(folder_.read(name + "/sweep.csv"), folder_.read("truth/sweep.csv"));
     if (python_.empty()) return;
-    const Outcome same = runTool(folder_, {python_, FISSURE_SOURCE_DIR "/tests/programs/same_data.py",
+    const Outcome same = runTool(folder_, {python_, FISSURE_SOURCE_DIR "/scripts/result_bits.py",
                                            "truth/sweep.h5", name + "/sweep.h5"});
     EXPECT_EQ(same.code, 0) << same.out << same.err;
   }

@@ -108,7 +108,7 @@ PressCurve readPress(const std::filesystem::path& file, const std::string& run) 
   if (info.reference)
     throw InputError(inFile(file), "a reference, which holds a few steps alone, expected a whole result");
   const std::string name = run.empty() ? onlyRun(info, file) : run;
-  const Scenario scenario = parseStoredScenario(info.scenario_resolved).scenario;
+  const Scenario scenario = parseStoredScenario(info.scenario_resolved, file).scenario;
   requirePress(scenario, file);
   const BodySettings& body = scenario.bodies.front();
   PressCurve press{.label = file.string() + ":" + name,

@@ -169,7 +169,7 @@ SimulatedRun readSimulatedRun(const std::filesystem::path& file, const std::stri
   const ResultInfo info = readResultInfo(file);
   const std::string name = run.empty() ? onlyRun(info, file) : run;
   SimulatedRun read;
-  read.laws = parseStoredScenario(info.scenario_resolved).scenario.force;
+  read.laws = parseStoredScenario(info.scenario_resolved, file).scenario.force;
   read.inputs = readForceInputs(file, name);
   const RunReader reader(file, name);
   const StoredQuantity* position = reader.find("tool_position");

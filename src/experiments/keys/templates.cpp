@@ -1,5 +1,7 @@
 #include "keys/templates.h"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <string_view>
 
@@ -46,11 +48,11 @@ std::string renamed(std::string_view text, const Template& from, const std::stri
     for (std::size_t at = 0; (at = made.find(old, at)) != std::string::npos; at += with.size())
       made.replace(at, old.size(), with);
   };
-  const std::string kind(from.entry.name);
+  const std::string_view kind(from.entry.name);
   for (const TemplateFile& file : from.files) {
-    const std::string ending(file.ending), stem = ending.substr(0, ending.find('.'));
-    replace(" " + kind + ending, " " + name + ending);
-    replace("\nname: " + kind + stem + "\n", "\nname: " + name + stem + "\n");
+    const std::string_view ending = file.ending, stem = ending.substr(0, ending.find('.'));
+    replace(fmt::format(" {}{}", kind, ending), fmt::format(" {}{}", name, ending));
+    replace(fmt::format("\nname: {}{}\n", kind, stem), fmt::format("\nname: {}{}\n", name, stem));
   }
   return made;
 }

@@ -39,7 +39,7 @@ YamlNode physicsOf(const SweepManifest& manifest, std::size_t entry) {
 
 SweepPlan::SweepPlan(SweepManifest manifest, const std::filesystem::path& folder)
     : manifest_(std::move(manifest)) {
-  base_ = parseStoredScenario(manifest_.scenario);
+  base_ = parseStoredScenario(manifest_.scenario, manifestFile(folder));
   base_.scenario.directory =
       (std::filesystem::weakly_canonical(folder) / manifest_.directory).lexically_normal();
   sortAxes();

@@ -1,5 +1,7 @@
 #include "base/error.h"
 
+#include <algorithm>
+
 namespace fissure {
 
 std::string Origin::beginning() const {
@@ -29,6 +31,15 @@ Origin ofOverride(const std::string& path) {
 
 Origin ofAxis(const std::string& path, const std::string& file, int line) {
   return {Origin::Kind::axis, file, line, path};
+}
+
+std::string onOneLine(std::string message) {
+  constexpr char first_printable = 0x20, del = 0x7f;
+  std::replace_if(
+      message.begin(), message.end(), [](char c) { return (c >= 0 && c < first_printable) || c == del; },
+      ' ');
+  message.erase(message.find_last_not_of(' ') + 1);
+  return message;
 }
 
 bool InputError::isAbout(const std::filesystem::path& file) const {

@@ -29,13 +29,17 @@ Origin inFile(const std::filesystem::path& file, int line = 0);
 Origin ofOverride(const std::string& path);
 Origin ofAxis(const std::string& path, const std::string& file = "", int line = 0);
 
+/// The message on one line, whatever it repeats of a file: final line ends and blanks are removed, and other
+/// control characters of ASCII become blanks.
+std::string onOneLine(std::string message);
+
 /// An error in input or usage, to be corrected by the user. what() is one line: the origin, as far as it is
 /// known, then text(), which says what is wrong and what was expected.
 class InputError : public std::runtime_error {
  public:
   explicit InputError(const std::string& text) : InputError(Origin(), text) {}
   InputError(const Origin& origin, const std::string& text)
-      : std::runtime_error(origin.beginning() + text), origin_(origin), text_(text) {}
+      : std::runtime_error(onOneLine(origin.beginning() + text)), origin_(origin), text_(onOneLine(text)) {}
 
   const Origin& origin() const { return origin_; }
   const std::string& text() const { return text_; }
@@ -50,7 +54,7 @@ class InputError : public std::runtime_error {
 /// A failure that is no fault of the input: of a run, a worker or the disk. what() is one line.
 class RunError : public std::runtime_error {
  public:
-  explicit RunError(const std::string& message) : std::runtime_error(message) {}
+  explicit RunError(const std::string& message) : std::runtime_error(onOneLine(message)) {}
 };
 
 }  // namespace fissure

@@ -118,10 +118,14 @@ LoadedScenario parseScenario(const std::string& text, const Path& file,
   return loaded;
 }
 
-LoadedScenario parseStoredScenario(const std::string& text) {
-  LoadedScenario loaded = parse(text, "scenario_resolved", {}).loaded;
-  loaded.resolved = text;
-  return loaded;
+LoadedScenario parseStoredScenario(const std::string& text, const Path& stored_in) {
+  try {
+    LoadedScenario loaded = parse(text, "scenario_resolved", {}).loaded;
+    loaded.resolved = text;
+    return loaded;
+  } catch (const InputError& error) {
+    throw InputError(inFile(stored_in), std::string("its scenario cannot be read: ") + error.what());
+  }
 }
 
 LoadedScenario loadScenario(const Path& file, const std::vector<Override>& overrides) {

@@ -40,10 +40,10 @@ LoadedScenario loadScenario(const std::filesystem::path& file, const std::vector
 LoadedScenario parseScenario(const std::string& text, const std::filesystem::path& file,
                              const std::vector<Override>& overrides = {});
 
-/// Reads the text of a scenario that is stored in a result or part file. The files that it names need not
-/// exist any more, and `inputs` is empty. Throws InputError, in which `scenario_resolved` stands for the
-/// file.
-LoadedScenario parseStoredScenario(const std::string& text);
+/// Reads the text of a scenario that is stored in the result or part file `stored_in`. The files that it
+/// names need not exist any more, and `inputs` is empty. Throws InputError about `stored_in`, with the line
+/// of the text: "result.h5: its scenario cannot be read: scenario_resolved:11: ...".
+LoadedScenario parseStoredScenario(const std::string& text, const std::filesystem::path& stored_in);
 
 /// The whole scenario as YAML, with every default written out and numbers in the shortest form that reads
 /// back to the same double. loadScenario of this text gives an equal scenario.

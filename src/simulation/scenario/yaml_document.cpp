@@ -184,14 +184,6 @@ std::string syntaxText(const YAML::Exception& error) {
   return fmt::format("column {}: {}, expected YAML", column, error.msg);
 }
 
-/// What a file says goes into messages, and messages go to terminals.
-std::string oneLine(std::string message) {
-  for (char& c : message) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
-  return message;
-}
-
 bool isHdf5(const std::filesystem::path& file) {
   constexpr std::string_view signature = "\x89HDF\r\n\x1a\n";
   std::string start(signature.size(), '\0');
@@ -204,7 +196,7 @@ bool isHdf5(const std::filesystem::path& file) {
 }  // namespace
 
 void failAt(const Origin& origin, const std::string& message) {
-  throw InputError({origin.kind, oneLine(origin.file), origin.line, oneLine(origin.path)}, oneLine(message));
+  throw InputError(origin, message);
 }
 
 std::string readYamlFile(const std::filesystem::path& file) {

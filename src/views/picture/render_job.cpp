@@ -32,14 +32,6 @@ struct PictureSeries {
   std::vector<double> times_s;  ///< the chosen ones
 };
 
-Scenario scenarioOf(const ResultInfo& info, const fs::path& file) {
-  try {
-    return parseStoredScenario(info.scenario_resolved).scenario;
-  } catch (const InputError& error) {
-    throw InputError(inFile(file), std::string("its scenario cannot be read: ") + error.what());
-  }
-}
-
 std::vector<PipelineResult> chooseRuns(const ResultInfo& info, const RenderJob& job) {
   if (job.runs.empty()) return info.pipelines;
   std::vector<std::string> known;
@@ -96,7 +88,7 @@ void chooseTimes(std::vector<PictureSeries>& all, const TimeSelection& selection
 /// What there is to draw. Reads no snapshot but the first of each run.
 std::vector<PictureSeries> openSeries(const RenderJob& job) {
   const ResultInfo info = wholeResult(job.result);
-  const Scenario scenario = scenarioOf(info, job.result);
+  const Scenario scenario = parseStoredScenario(info.scenario_resolved, job.result).scenario;
   PictureSettings settings{scenario.record.frames.value_or(FrameSettings{}), job.camera, job.columns};
   if (job.size_px) std::tie(settings.frames.width_px, settings.frames.height_px) = *job.size_px;
   std::optional<double> ground_height_m;

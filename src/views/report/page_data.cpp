@@ -74,19 +74,18 @@ PageJson runsJson(const std::vector<ReportRun>& runs) {
   return json;
 }
 
-/// Description and expectations of the stored scenario; that it cannot be read is a warning.
-void addScenario(const ResultInfo& info, PageJson& page) {
+/// Description and expectations of the scenario stored in `file`; that it cannot be read is a warning.
+void addScenario(const ResultInfo& info, const std::filesystem::path& file, PageJson& page) {
   page["description"] = "";
   page["expectations"] = PageJson::array();
   page["scenario"] = info.scenario_resolved;
   if (info.scenario_resolved.empty()) return;
   try {
-    const Scenario scenario = parseStoredScenario(info.scenario_resolved).scenario;
+    const Scenario scenario = parseStoredScenario(info.scenario_resolved, file).scenario;
     page["description"] = scenario.description;
     page["expectations"] = expectationsJson(scenario.expect, info.pipelines);
   } catch (const InputError& error) {
-    page["warnings"].push_back(
-        resultWarning(false, std::string("the stored scenario cannot be read: ") + error.what()));
+    page["warnings"].push_back(resultWarning(false, error.text()));
   }
 }
 
@@ -128,7 +127,7 @@ PageJson resultPage(const std::filesystem::path& file, const std::string& progra
                    {"all_numbers", allNumbersJson(info.pipelines)},
                    {"step_times", stepTimesJson(file, info, runs)},
                    {"provenance", provenanceJson(info.provenance)}};
-  addScenario(info, page);
+  addScenario(info, file, page);
   page["plots"] = plotsJson(runs, most_points);
   page["frames"] = fittingFrames(runs, page);
   page["video"] = video;

@@ -29,6 +29,14 @@ TEST(InputErrors, BeginWithWhereItIsWrong) {
   }
 }
 
+TEST(InputErrors, AreOneLineWhateverTheyRepeat) {
+  const InputError error(inFile("a\rb.csv"), "column \"x\ny\r\": unknown\n");
+  EXPECT_STREQ(error.what(), "a b.csv: column \"x y \": unknown");
+  EXPECT_EQ(error.text(), "column \"x y \": unknown");
+  EXPECT_TRUE(error.isAbout("a\rb.csv"));
+  EXPECT_STREQ(RunError("lost:\n  \x1b[2J\n").what(), "lost:    [2J");
+}
+
 TEST(InputErrors, AreAboutAFileAsAWhole) {
   EXPECT_TRUE(InputError(inFile("a.h5"), "damaged").isAbout("a.h5"));
   EXPECT_FALSE(InputError(inFile("a.h5"), "damaged").isAbout("b.h5"));

@@ -2,7 +2,7 @@
 """A sweep through a real Slurm of two nodes in which a task is killed, one runs out of time, and a node dies, and another in which the controller
 dies: their tables are that of one process.
 
-    sweep_test.py FISSURE SAME_DATA [--duration S]      exit code 77 where Slurm is not installed
+    sweep_test.py FISSURE RESULT_BITS [--duration S]      exit code 77 where Slurm is not installed
 """
 import argparse
 import contextlib
@@ -256,7 +256,7 @@ def lose_controller_midway(fissure, folder, the_cluster):
 
 
 def check_table(arguments, folder, name):
-    same = subprocess.run([sys.executable, "-B", arguments.same_data, folder / "truth/sweep.h5", folder / name / "sweep.h5"],
+    same = subprocess.run([sys.executable, "-B", arguments.result_bits, folder / "truth/sweep.h5", folder / name / "sweep.h5"],
                           capture_output=True, text=True, check=False)
     check(same.returncode == 0, f"{name}: other data in\n{same.stdout}{same.stderr}")
     check((folder / "truth/sweep.csv").read_bytes() == (folder / name / "sweep.csv").read_bytes(), f"{name}: another sweep.csv")
@@ -265,7 +265,7 @@ def check_table(arguments, folder, name):
 def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("fissure")
-    parser.add_argument("same_data", help="the script that compares two results")
+    parser.add_argument("result_bits", help="the script that compares two results")
     parser.add_argument("--duration", default="2", help="of a simulation, in its own seconds")
     arguments = parser.parse_args()
     os.environ["PATH"] += ":/usr/sbin:/sbin"

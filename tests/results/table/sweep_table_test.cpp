@@ -206,7 +206,7 @@ TEST(SweepTable, SameRowsGiveTheSameData) {
   writeSampleSweep(folder / "a.h5", layout);
   layout.provenance = {{"version", "0.1.0"}, {"command_line", "fissure sweep sample.yaml --shard 1/2"}};
   writeSampleSweep(folder / "b.h5", layout);
-  const std::string command = "/usr/bin/python3 -B " FISSURE_SOURCE_DIR "/tests/programs/same_data.py " +
+  const std::string command = "/usr/bin/python3 -B " FISSURE_SOURCE_DIR "/scripts/result_bits.py " +
                               (folder / "a.h5").string() + " " + (folder / "b.h5").string();
   EXPECT_EQ(std::system(command.c_str()), 0);
 }

@@ -61,7 +61,7 @@ TEST(Elastic, IsGoodAndRoundTrips) {
                                              .poissons_ratio = 0.3,
                                              .density_kg_m3 = 1050}}};
   EXPECT_EQ(pathsOf(validate(scenario)), std::vector<std::string>());
-  const Scenario again = parseStoredScenario(toYaml(scenario)).scenario;
+  const Scenario again = parseStoredScenario(toYaml(scenario), "result.h5").scenario;
   EXPECT_EQ(again.bodies[0].model, BodyModel::elastic);
   EXPECT_EQ(again.bodies[0].elastic, scenario.bodies[0].elastic);
 }

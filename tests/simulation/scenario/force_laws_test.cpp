@@ -40,7 +40,7 @@ TEST(ForceLaws, AreReadWrittenAndReadAgain) {
     }
     const Scenario read = with(text + "}");
     EXPECT_EQ(read.force[0].coefficients, expected);
-    EXPECT_EQ(parseStoredScenario(toYaml(read)).scenario.force, read.force);
+    EXPECT_EQ(parseStoredScenario(toYaml(read), "result.h5").scenario.force, read.force);
     EXPECT_EQ(refusalOf(area + "}"), "");
   }
 }

@@ -81,7 +81,7 @@ TEST(Rotations, WhatIsNeitherIsRefused) {
 TEST(Rotations, AreResolvedToQuaternions) {
   const LoadedScenario loaded = parseScenario(withOrientation("{axis: [1, 2, 3], angle_deg: 77}"), "a.yaml");
   EXPECT_EQ(loaded.resolved.find("angle_deg"), std::string::npos);
-  const LoadedScenario again = parseStoredScenario(loaded.resolved);
+  const LoadedScenario again = parseStoredScenario(loaded.resolved, "result.h5");
   EXPECT_EQ(again.scenario.bodies[0].orientation.coeffs(), loaded.scenario.bodies[0].orientation.coeffs());
 }
 

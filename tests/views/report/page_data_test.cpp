@@ -87,7 +87,7 @@ TEST(PageData, SeriesAreTheResults) {
   const double last = (*force)["variants"][1]["series"][0]["values"].back();
   EXPECT_NEAR(last, std::sqrt(149.0 * 149.0 + 149.1 * 149.1 + 149.2 * 149.2), 1e-3);
   EXPECT_TRUE(hasWarning(page, "the penetration depth of 1 step is no number", true));
-  EXPECT_TRUE(hasWarning(page, "the stored scenario cannot be read", false)) << "its text is no scenario";
+  EXPECT_TRUE(hasWarning(page, "its scenario cannot be read", false)) << "its text is no scenario";
   EXPECT_EQ(page["provenance"][0], PageJson({"version", "1.2.3"}));
 }
 
