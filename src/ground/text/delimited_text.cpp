@@ -45,7 +45,8 @@ std::size_t DelimitedText::column(const std::string& name) const {
   const auto found = std::find(names_.begin(), names_.end(), name);
   if (found == names_.end()) throw InputError(inFile(file_, header_line_), missingColumn(name, names_));
   if (std::find(found + 1, names_.end(), name) != names_.end())
-    throw InputError(inFile(file_, header_line_), "two columns are called \"" + name + "\", expected one");
+    throw InputError(inFile(file_, header_line_),
+                     "two columns are called \"" + logExcerpt(name) + "\", expected one");
   return static_cast<std::size_t>(found - names_.begin());
 }
 
@@ -70,7 +71,7 @@ std::string_view DelimitedText::text(std::size_t column) const {
 
 double DelimitedText::number(std::size_t column) const {
   if (column >= cells_.size()) return std::numeric_limits<double>::quiet_NaN();
-  return logNumber(cells_[column], file_, line_, "column \"" + names_[column] + "\"");
+  return logNumber(cells_[column], file_, line_, "column \"" + logExcerpt(names_[column]) + "\"");
 }
 
 bool DelimitedText::takeLine(std::string_view& line) {

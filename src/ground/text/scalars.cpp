@@ -53,6 +53,13 @@ std::optional<Number> convert(const std::string& plain) {
 
 }  // namespace
 
+std::string inQuotes(const std::string& text, std::size_t most) {
+  if (text.size() <= most) return '"' + text + '"';
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xc0u) == 0x80u) --end;
+  return '"' + text.substr(0, end) + "...\"";
+}
+
 ScalarKind scalarKind(const std::string& plain) {
   if (plain == "true" || plain == "false") return ScalarKind::truth;
   if (isNonFinite(plain)) return ScalarKind::non_finite;

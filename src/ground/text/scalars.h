@@ -1,14 +1,14 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
 namespace fissure {
 
-/// The text in double quotes, for messages; nothing is escaped.
-inline std::string inQuotes(const std::string& text) {
-  return '"' + text + '"';
-}
+/// The text in double quotes, for messages: its whole characters within the first `most` bytes, and "..."
+/// where it is longer. Nothing is escaped.
+std::string inQuotes(const std::string& text, std::size_t most = 120);
 
 /// The kind of value that a plain (unquoted) YAML scalar has.
 enum class ScalarKind {

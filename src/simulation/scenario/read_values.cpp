@@ -32,10 +32,8 @@ std::string describeNode(const YamlNode& node) {
     case Kind::scalar:
       break;
   }
-  std::size_t end = std::min<std::size_t>(node.text.size(), 60);
-  while (end < node.text.size() && (static_cast<unsigned char>(node.text[end]) & 0xc0u) == 0x80u) --end;
-  const std::string shown = node.text.substr(0, end) + (end < node.text.size() ? "..." : "");
-  return (node.quoted ? "the text " : "") + inQuotes(shown);
+  constexpr std::size_t most_bytes = 60;
+  return (node.quoted ? "the text " : "") + inQuotes(node.text, most_bytes);
 }
 
 /// The kind of a number node; anything that is no number at all throws.

@@ -14,6 +14,14 @@ namespace fissure::parts_test {
 
 namespace {
 
+TEST(Quotes, HoldWholeCharactersOfTheBeginning) {
+  EXPECT_EQ(inQuotes("a\"b"), "\"a\"b\"");
+  EXPECT_EQ(inQuotes("abcd", 4), "\"abcd\"");
+  EXPECT_EQ(inQuotes("abcde", 4), "\"abcd...\"");
+  EXPECT_EQ(inQuotes("abc\xc3\xa4", 4), "\"abc...\"");
+  EXPECT_EQ(inQuotes("\x80\x80\x80", 2), "\"...\"");
+}
+
 TEST(EditDistance, CountsSingleEdits) {
   EXPECT_EQ(editDistance("", ""), 0);
   EXPECT_EQ(editDistance("", "abc"), 3);
