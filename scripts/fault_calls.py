@@ -13,7 +13,7 @@ is not as promised.
 """
 import argparse
 import collections
-import contextlib
+import concurrent.futures
 import dataclasses
 import errno
 import os
@@ -227,24 +227,32 @@ def write_section(page, text):
     page.write_text(above + "\n\n" + text)
 
 
-def campaign(arguments, shop, rng):
+def part(arguments, case_name, mode):
+    """Rows and what was seen of one command under one way to fail, or (without a mode) under the other faults, in a folder of its own."""
+    case = next(case for case in cases() if case.name == case_name)
+    rng = random.Random(f"{arguments.seed} {case_name} {mode.name if mode else ''}")
+    with tempfile.TemporaryDirectory() as top:
+        shop = Workshop(top, arguments.programs.resolve())
+        shop.prepare(case)
+        if mode:
+            every = arguments.every if mode == EVERY_CALL else arguments.every_other
+            found = [(mode.name, shop.calls, calls_in_turn(shop, case, mode, every, rng))]
+        else:
+            found = [(fault, "", seen) for fault, seen in system_faults(shop, case, arguments.few, rng, look, report)]
+    return [row(case.name, fault, calls, seen) for fault, calls, seen in found], [one for _, _, seen in found for one in seen]
+
+
+def campaign(arguments):
     """Rows of the table, and all that was seen."""
     rows, everything = [], []
-
-    def note(*of, found):
-        rows.append(row(*of, found))
-        everything.extend(found)
-        print(rows[-1], flush=True)
-
-    for case in cases():
-        if arguments.case and case.name not in arguments.case:
-            continue
-        shop.prepare(case)
-        note(case.name, EVERY_CALL.name, shop.calls, found=calls_in_turn(shop, case, EVERY_CALL, arguments.every, rng))
-        for mode in OTHER_MODES:
-            note(case.name, mode.name, shop.calls, found=calls_in_turn(shop, case, mode, arguments.every_other, rng))
-        for fault, found in system_faults(shop, case, arguments.few, rng, look, report):
-            note(case.name, fault, "", found=found)
+    with concurrent.futures.ProcessPoolExecutor(arguments.jobs) as pool:
+        parts = [pool.submit(part, arguments, case.name, mode) for case in cases() if not arguments.case or case.name in arguments.case
+                 for mode in (EVERY_CALL, *OTHER_MODES, None)]
+        for done in parts:
+            of_part, seen = done.result()
+            rows += of_part
+            everything += seen
+            print("\n".join(of_part), flush=True)
     return rows, everything
 
 
@@ -280,14 +288,13 @@ def main():
     parser.add_argument("--case", action="append", help="this command alone (repeatable)")
     parser.add_argument("--check", action="store_true", help="a few trials, no page")
     parser.add_argument("-o", "--output", type=pathlib.Path, help="the page; without it no page")
+    parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), help="commands side by side")
     arguments = parser.parse_args()
-    with contextlib.ExitStack() as stack:
-        top = stack.enter_context(tempfile.TemporaryDirectory())
-        shop = Workshop(top, arguments.programs.resolve())
-        rng = random.Random(arguments.seed)
-        if arguments.check:
-            return 1 if any(seen.bad for seen in check(shop, rng)) else 0
-        rows, everything = campaign(arguments, shop, rng)
+    if arguments.check:
+        with tempfile.TemporaryDirectory() as top:
+            shop = Workshop(top, arguments.programs.resolve())
+            return 1 if any(seen.bad for seen in check(shop, random.Random(arguments.seed))) else 0
+    rows, everything = campaign(arguments)
     if arguments.output:
         write_section(arguments.output, section(arguments, rows, everything))
     return 1 if any(seen.bad for seen in everything) else 0

@@ -3,7 +3,7 @@
 
     /usr/bin/python3 scripts/robustness_page.py [--folder out/robustness] [-o results/robustness]
 
-The folder holds fuzz.json (scripts/fuzz), scenes/summary.json (scripts/random_scenes.py), endurance/endurance.json
+The folder holds fuzz.json (scripts/fuzz), coverage.json (scripts/coverage), scenes/summary.json (scripts/random_scenes.py), endurance/endurance.json
 (scripts/endurance.py) and determinism.json (scripts/determinism.py); the page names the commands. A part whose file is missing is
 named as not measured. Faults have a page of their own, whose totals are quoted.
 """
@@ -17,6 +17,7 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMANDS = """\
     mkdir -p out/robustness
     scripts/fuzz --seconds 60 > out/robustness/fuzz.json
+    scripts/coverage > out/robustness/coverage.json
     /usr/bin/python3 scripts/random_scenes.py --count 100 --seed 2 -o out/robustness/scenes
     /usr/bin/python3 scripts/endurance.py --simulations 1000 --kills 10 -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
@@ -103,6 +104,20 @@ def faults():
     return "\n".join("* " + " ".join(total.split()) for total in totals) + "\n\n[All of them, by kind](../faults/README.md)."
 
 
+def share(counts, what):
+    total = counts[f"{what}_total"]
+    return f"{100 * counts[f'{what}_covered'] / total:.1f}" if total else "-"
+
+
+def covered(found):
+    if not found:
+        return "Not measured."
+    whole = {key: sum(counts[key] for counts in found["rooms"].values()) for key in next(iter(found["rooms"].values()))}
+    rows = [(room, f"{counts['line_total']:,}", share(counts, "line"), share(counts, "branch")) for room, counts in found["rooms"].items()]
+    return (f"**{share(whole, 'line')} % of {whole['line_total']:,} lines, {share(whole, 'branch')} % of {whole['branch_total']:,} branches.**\n\n"
+            + table(("room", "lines", "reached, %", "branches, %"), rows))
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
     parser.add_argument("--folder", type=pathlib.Path, default=ROOT / "out/robustness")
@@ -133,6 +148,13 @@ below.
 ## Faults of the system
 
 {faults()}
+
+## What the tests reach
+
+Lines that the compiler made code of, and branches without those of exceptions that the standard library may throw. Tests of speed, books, browsers
+and clusters, fuzzers and campaigns are left out, and programs that tests kill do not write what they reached. `build/coverage/missed.txt` names the lines.
+
+{covered(read(options.folder / "coverage.json"))}
 
 ## Endurance
 

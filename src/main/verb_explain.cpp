@@ -52,9 +52,7 @@ Verb addExplain(Command app) {
 Verb addSchema(Command app) {
   const auto kind = std::make_shared<std::string>("scenario");
   Command command = app.command("schema", "a JSON Schema of such files, for editors");
-  command.option("FILE_KIND", *kind, "what file")
-      .oneOf(namesIn(keyFiles(), [](const KeyNode& file) { return file.name; }))
-      .showDefault();
+  command.option("FILE_KIND", *kind, "what file").oneOf(keyFileNames()).showDefault();
   command.example(
       "fissure schema > scenario.schema.json, and in the first line of a scenario "
       "# yaml-language-server: $schema=scenario.schema.json");

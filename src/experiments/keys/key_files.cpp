@@ -60,6 +60,11 @@ std::vector<KeyPlace> keysThat(Fits fits) {
 
 }  // namespace
 
+const std::vector<std::string>& keyFileNames() {
+  static const std::vector<std::string> names = {"scenario", "sweep", "stability", "tradeoff", "tolerances"};
+  return names;
+}
+
 const std::vector<KeyNode>& keyFiles() {
   static const std::vector<KeyNode> files = {scenarioKeys(), sweepKeys(), stabilityKeys(), tradeoffKeys(),
                                              toleranceKeys()};

@@ -7,7 +7,10 @@
 
 namespace fissure {
 
-/// The kinds of input files with all their keys: "scenario", "sweep", "tradeoff", "tolerances".
+/// The names of the kinds of input files: "scenario", "sweep", "stability", "tradeoff", "tolerances".
+const std::vector<std::string>& keyFileNames();
+
+/// These files with all their keys, in the same order. The trees are built when this is first called.
 const std::vector<KeyNode>& keyFiles();
 
 /// A key and its place in a kind of file.

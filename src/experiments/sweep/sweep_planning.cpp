@@ -9,13 +9,13 @@
 
 #include "base/error.h"
 #include "batch/engine_program.h"
-#include "batch/provenance.h"
 #include "check/run_plan.h"
 #include "check/scenario_input.h"
 #include "files/temporary_file.h"
 #include "process/line_splitter.h"
 #include "scenario/catalog.h"
 #include "scenario/compose.h"
+#include "sweep/file_stamp.h"
 #include "sweep/sweep_misfit.h"
 #include "sweep/sweep_plan.h"
 #include "sweep/sweep_state.h"
@@ -33,7 +33,7 @@ namespace fs = std::filesystem;
 constexpr std::size_t most_checks = 1000;
 
 std::string hashOf(const fs::path& file) {
-  const std::optional<std::string> hash = fileHash(file);
+  const std::optional<std::string> hash = knownHash(file);
   if (!hash) throw InputError(inFile(file), "cannot be read");
   return *hash;
 }

@@ -3,7 +3,7 @@
 #include "base/error.h"
 #include "process/apart.h"
 #include "store/result_file.h"
-#include "sweep/sweep_session.h"
+#include "sweep/file_stamp.h"
 
 namespace fissure {
 
@@ -37,8 +37,9 @@ void forgetLostResults(SweepState& state, const fs::path& folder, const std::vec
     const SweepState::Task& task = state.task(index);
     if (!task.finished || task.file.empty()) continue;
     const fs::path file = folder / task.file;
-    const bool trusted = check == ResultCheck::size ? hasSize(file, task.file_bytes)
-                                                    : isUntouched(file, task.file_bytes, task.file_time);
+    const bool trusted = check == ResultCheck::size
+                             ? hasSize(file, task.file_bytes)
+                             : stampOf(file) == FileStamp{task.file_bytes, task.file_time};
     if (!trusted && !canBeRead(file)) state.forget(index);
   }
 }

@@ -1,7 +1,6 @@
 #include "sweep/sweep_session.h"
 
 #include <fmt/core.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,21 +24,6 @@ namespace fs = std::filesystem;
 
 constexpr double sync_every_s = 2;
 
-struct Stamp {
-  long long bytes = -1, time = 0;
-};
-
-Stamp stampOf(const fs::path& file) {
-  struct stat found = {};
-  if (::stat(file.c_str(), &found) != 0) return {};
-  return {found.st_size, found.st_mtim.tv_sec * 1000000000LL + found.st_mtim.tv_nsec};
-}
-
-std::string stampText(const fs::path& file) {
-  const Stamp stamp = stampOf(file);
-  return fmt::format("{} {}", stamp.bytes, stamp.time);
-}
-
 std::string bytesOf(const fs::path& file) try {
   return readInputFile(file, "a record");
 } catch (const InputError&) {
@@ -58,11 +42,6 @@ TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task) {
   return order;
 }
 
-bool isUntouched(const fs::path& file, long long bytes, long long time) {
-  const Stamp stamp = stampOf(file);
-  return stamp.bytes == bytes && stamp.time == time;
-}
-
 SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::vector<std::size_t> tasks,
                            Settings settings, ProgressDisplay& display)
     : plan_(plan),
@@ -75,9 +54,9 @@ SweepSession::SweepSession(const SweepPlan& plan, const fs::path& folder, std::v
   if (plan.keepsResults()) fs::create_directory(resultFolder(folder), error);
   if (error) throw RunError(folder.string() + ": cannot be written: " + error.message());
   for (const auto& [name, hash] : plan.manifest().inputs)
-    inputs_.emplace_back(plan.directory() / name, stampText(plan.directory() / name));
+    inputs_.emplace_back(plan.directory() / name, stampOf(plan.directory() / name));
   for (const auto& [precision, hash] : plan.manifest().engines)
-    inputs_.emplace_back(engineProgram(precision), stampText(engineProgram(precision)));
+    inputs_.emplace_back(engineProgram(precision), stampOf(engineProgram(precision)));
   refuseOtherPlan(plan.manifest(), folder);  // since it was planned; from here on the stamps tell
 }
 
@@ -177,7 +156,7 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
     return;
   }
   fs::rename(made, folder_ / name);
-  const Stamp stamp = stampOf(folder_ / name);
+  const FileStamp stamp = stampOf(folder_ / name);
   record.file = name;
   record.file_bytes = stamp.bytes;
   record.file_time = stamp.time;
@@ -186,7 +165,7 @@ void SweepSession::keepResult(std::size_t task, TaskRecord& record) const {
 /// Workers read meshes and logs for themselves: what runs after one changed would be another sweep.
 void SweepSession::refuseChangedInputs() const {
   for (const auto& [file, stamp] : inputs_)
-    if (stampText(file) != stamp)
+    if (stampOf(file) != stamp)
       throw RunError(file.string() + ": changed while the sweep ran; run it again to plan it anew");
 }
 

@@ -10,6 +10,7 @@
 
 #include "process/progress_display.h"
 #include "process/worker_pool.h"
+#include "sweep/file_stamp.h"
 #include "sweep/journal.h"
 #include "sweep/sweep_plan.h"
 #include "task/task_order.h"
@@ -19,9 +20,6 @@ namespace fissure {
 
 /// The order for the worker of a task.
 TaskOrder orderOf(const SweepPlan& plan, const SweepTask& task);
-
-/// Whether size and modification time of a result file are as in its record.
-bool isUntouched(const std::filesystem::path& file, long long bytes, long long time);
 
 /// Counts of the tasks in a session of a sweep.
 struct SessionCounts {
@@ -80,7 +78,7 @@ class SweepSession : private PoolObserver {
   ProgressDisplay& display_;
   JournalWriter journal_;
   /// Path, and its size and time as text.
-  std::vector<std::pair<std::filesystem::path, std::string>> inputs_;
+  std::vector<std::pair<std::filesystem::path, FileStamp>> inputs_;
   struct Running {
     Clock::time_point start;
     Progress progress;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "engine/collision_pools.h"
 #include "engine/convert.h"
 #include "engine/soft_body.h"
 
@@ -41,8 +42,9 @@ void TimedWorld::performDiscreteCollisionDetection() {
 BulletWorld::BulletWorld(const Scenario& scenario, const PipelineSettings& pipeline, const Scene& scene,
                          std::unique_ptr<btSoftBodyRigidBodyCollisionConfiguration> configuration)
     : step_s_(scenario.time.step_s),
-      configuration_(configuration ? std::move(configuration)
-                                   : std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>()),
+      configuration_(configuration
+                         ? std::move(configuration)
+                         : std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>(collisionPools())),
       dispatcher_(std::make_unique<btCollisionDispatcher>(configuration_.get())),
       broadphase_(std::make_unique<btDbvtBroadphase>()),
       rigid_solver_(std::make_unique<btSequentialImpulseConstraintSolver>()),

@@ -1,5 +1,6 @@
 #include "engine/deformable_world.h"
 
+#include "engine/collision_pools.h"
 #include "engine/convert.h"
 
 namespace fissure {
@@ -52,7 +53,7 @@ void TimedDeformableSolver::solveDeformableConstraints(btScalar step_s) {
 
 DeformableWorld::DeformableWorld(const Scenario& scenario, const PipelineSettings& pipeline,
                                  const Scene& scene, const std::vector<Pose>& first_poses)
-    : configuration_(std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>()),
+    : configuration_(std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>(collisionPools())),
       dispatcher_(std::make_unique<TimedDispatcher>(configuration_.get())),
       broadphase_(std::make_unique<btDbvtBroadphase>()),
       constraint_solver_(std::make_unique<btDeformableMultiBodyConstraintSolver>()) {

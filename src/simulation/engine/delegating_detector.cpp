@@ -1,5 +1,6 @@
 #include <BulletSoftBody/btSoftRigidCollisionAlgorithm.h>
 
+#include "engine/collision_pools.h"
 #include "engine/pipeline.h"
 
 namespace fissure {
@@ -53,8 +54,8 @@ class DelegatingConfiguration : public btSoftBodyRigidBodyCollisionConfiguration
 
  private:
   static btDefaultCollisionConstructionInfo roomyPool() {
-    btDefaultCollisionConstructionInfo
-        info;  // the pool's elements must hold our algorithm, larger than Bullet's own
+    btDefaultCollisionConstructionInfo info = collisionPools();
+    // The pool's elements must hold our algorithm, larger than Bullet's own.
     info.m_customCollisionAlgorithmMaxElementSize = sizeof(DelegatingAlgorithm);
     return info;
   }

@@ -31,6 +31,12 @@ std::string refusalOf(const std::string& wanted) {
   return "nothing";
 }
 
+TEST(Keys, FilesHaveTheNamesThatTheirTreesSay) {
+  std::vector<std::string> names;
+  for (const KeyNode& file : keyFiles()) names.push_back(file.name);
+  EXPECT_EQ(keyFileNames(), names);
+}
+
 // Whoever adds a key says these three, or a number's name says its unit.
 TEST(Keys, EachHasADocLineAUnitAndADefault) {
   for (const KeyPlace& key : allKeys()) {

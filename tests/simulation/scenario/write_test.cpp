@@ -291,6 +291,15 @@ TEST(Write, QuaternionsAreNormalisedOnceAndThenStay) {
   }
 }
 
+TEST(Stored, AScenarioThatCannotBeReadIsRefusedWithTheNameOfTheFileThatHoldsIt) {
+  const std::string text = toYaml(smallest());
+  EXPECT_EQ(parseStoredScenario(text, "a.h5").resolved, text);
+  EXPECT_EQ(inputError([&] {
+              parseStoredScenario(text + "colour: red\n", "a.h5");
+            }).rfind("a.h5: its scenario cannot be read: scenario_resolved:", 0),
+            0u);
+}
+
 TEST(Configs, EachOneLoadsAndRoundTripsAndSaysWhatItStresses) {
   for (const char* folder : {"/configs", "/configs/fixtures"}) {
     int count = 0;
