@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include <chrono>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -33,6 +34,9 @@
 namespace {
 
 using namespace fissure;
+
+/// Of ten million force laws; more than any file that a user writes.
+constexpr std::uintmax_t most_order_bytes = std::uintmax_t{4} << 30;
 
 /// Pictures, chunks of files and a step's arrays come and go all the time: memory that was given back to the
 /// system after each of them would be cleared page by page before the next.
@@ -166,7 +170,7 @@ CheckedScenario scenarioOf(const TaskOrder& order, bool with_part) {
 /// One simulation of a sweep: its record, and its part where a result is kept.
 void workToOrder(const std::string& order_file, const std::string& record, const std::string& part,
                  const PilotOrder& options) {
-  const TaskOrder order = parseOrder(readTextFile(order_file));
+  const TaskOrder order = parseOrder(readTextFile(order_file, most_order_bytes));
   const auto start = std::chrono::steady_clock::now();
   CheckedScenario checked = [&] {
     try {

@@ -51,7 +51,7 @@ class SimulatedModel : public LawModel {
     of_steps_N.reserve(steps_.size());
     for (const std::vector<LawInput>& step : steps_) {
       family.evaluate(step);
-      of_steps_N.push_back(family.values().front().force_N);
+      of_steps_N.push_back(family.value(0).force_N);
     }
     for (std::size_t i = 0; i < interpolations_.size(); ++i)
       force_N[i] = (1 - interpolations_[i].share) * of_steps_N[interpolations_[i].before] +

@@ -1,6 +1,7 @@
 #include "task/curves.h"
 
 #include <algorithm>
+#include <cstdint>
 
 #include "base/error.h"
 #include "base/steps.h"
@@ -43,8 +44,8 @@ std::vector<CurveQuantity> curveQuantities(const std::vector<std::string>& names
 
 std::vector<double> curveTimes_s(const SweepCurves& curves) {
   std::vector<double> times_s;
-  const double last = intervalsIn(*curves.until_s, curves.every_s);
-  for (double i = 0; i <= last; ++i) times_s.push_back(i * curves.every_s);
+  const auto last = static_cast<std::int64_t>(intervalsIn(*curves.until_s, curves.every_s));
+  for (std::int64_t i = 0; i <= last; ++i) times_s.push_back(static_cast<double>(i) * curves.every_s);
   return times_s;
 }
 

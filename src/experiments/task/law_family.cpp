@@ -41,7 +41,7 @@ std::size_t channelOf(const ForceSettings& law, const std::vector<ForceSettings>
 }  // namespace
 
 LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<ForceSettings>& scenario_laws)
-    : scenario_laws_(scenario_laws.size()), values_(laws.size()) {
+    : scenario_laws_(scenario_laws.size()), places_(laws.size()), values_(laws.size()) {
   std::map<std::tuple<std::size_t, bool, ForceModel, double>, Group> groups;
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const ForceSettings& law = laws[i];
@@ -64,9 +64,12 @@ LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<F
                              .threshold = c > 0 ? -k / c : -std::numeric_limits<double>::infinity(),
                              .extreme = !isOrdinary(k) || !isOrdinary(c) || c < 0});
   }
+  std::size_t place = 0;
   for (auto& [key, group] : groups) {
     std::stable_sort(group.members.begin(), group.members.end(),
                      [](const Member& a, const Member& b) { return a.threshold < b.threshold; });
+    group.first_place = place;
+    for (const Member& member : group.members) places_[member.law] = place++;
     groups_.push_back(std::move(group));
   }
 }
@@ -139,7 +142,7 @@ void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs
   makeTerms(group, inputs);
   makeTails(group, inputs);
   // Terms before `pulling` pull, those from `pushing` on push; rounding decides between.
-  std::size_t pulling = 0, pushing = 0;
+  std::size_t pulling = 0, pushing = 0, place = group.first_place;
   for (const Member& member : group.members) {
     const double above = member.threshold * (1 - kMargin), below = member.threshold * (1 + kMargin);
     while (pulling < terms_.size() && terms_[pulling].ratio < below) ++pulling;
@@ -159,7 +162,7 @@ void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs
     sum.value.elastic_N += member.k * pushed.a;
     sum.value.viscous_N += member.c * pushed.b;
     sum.value.force_N = sum.force_N.norm();
-    values_[member.law] = sum.value;
+    values_[place++] = sum.value;
   }
 }
 

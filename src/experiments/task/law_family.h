@@ -34,8 +34,12 @@ class LawFamily {
   /// State::law_inputs. Throws std::logic_error when they are no whole number of triangles.
   void evaluate(const std::vector<LawInput>& inputs);
 
-  /// One value per law, in the order of the constructor; zeros before the first evaluate().
+  /// The value of a law, which is named by its number in the constructor; zeros before the first evaluate().
+  const LawValue& value(std::size_t law) const { return values_[places_[law]]; }
+  /// The values of all laws, each at its place(law). They are computed in this order, so that whoever keeps
+  /// something for each of a million laws in the same order goes through memory from end to end.
   const std::vector<LawValue>& values() const { return values_; }
+  std::size_t place(std::size_t law) const { return places_[law]; }
 
  private:
   struct Member {
@@ -51,6 +55,7 @@ class LawFamily {
     bool per_area = false;
     std::size_t channel = 0;      ///< index of the scenario law whose inputs they use
     std::vector<Member> members;  ///< in ascending order of threshold
+    std::size_t first_place = 0;  ///< of the first member in values_; the others follow
   };
   struct Term {
     double ratio = 0;  ///< B / A
@@ -76,12 +81,13 @@ class LawFamily {
 
   std::size_t scenario_laws_;
   std::vector<ForceLaw> laws_;
-  std::vector<Group> groups_;  ///< groups of one channel are adjacent
-  std::vector<LawValue> values_;
-  std::vector<std::size_t> order_;  ///< inputs of one channel in the order of their rates, NaN last
-  std::vector<Term> terms_;         ///< terms of one group in the order of their ratios
-  std::vector<std::size_t> plain_;  ///< inputs of one group that have no term
-  std::vector<Tail> tails_;         ///< one more than terms; the last is zero
+  std::vector<Group> groups_;        ///< groups of one channel are adjacent
+  std::vector<std::size_t> places_;  ///< of each law in values_
+  std::vector<LawValue> values_;     ///< group by group
+  std::vector<std::size_t> order_;   ///< inputs of one channel in the order of their rates, NaN last
+  std::vector<Term> terms_;          ///< terms of one group in the order of their ratios
+  std::vector<std::size_t> plain_;   ///< inputs of one group that have no term
+  std::vector<Tail> tails_;          ///< one more than terms; the last is zero
 };
 
 }  // namespace fissure

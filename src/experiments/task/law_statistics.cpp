@@ -45,14 +45,14 @@ void LawStatistics::add(const State& state) {
 
 void LawStatistics::summarize(std::size_t row, Summary& summary) const {
   const auto add = [&](std::size_t index, const std::string& name) {
-    const Law& law = laws_[row * names_.size() + index];
+    const Law& law = lawOf(row, index);
     summary.push_back({"max_force" + name + "_N", law.max_N.value()});
     summary.push_back({"force_roughness" + name, law.roughness.value()});
   };
   add(0, "");
   for (std::size_t i = 0; i < names_.size(); ++i) {
     add(i, "_" + names_[i]);
-    const long long step = laws_[row * names_.size() + i].non_finite_at_step;
+    const long long step = lawOf(row, i).non_finite_at_step;
     summary.push_back(
         {"force_non_finite_at_step_" + names_[i], step < 0 ? kMissing : static_cast<double>(step)});
   }

@@ -22,8 +22,8 @@ class LawStatistics {
   void add(const State& state);
 
   std::size_t rows() const { return laws_.size() / names_.size(); }
-  /// [row x number of laws + law] values in the last state.
-  const std::vector<LawValue>& values() const { return family_.values(); }
+  /// The value in the last state of law row x number of laws + law.
+  const LawValue& value(std::size_t law) const { return family_.value(law); }
   /// Appends the summary values of one row, with the names that the probe of forces uses.
   void summarize(std::size_t row, Summary& summary) const;
 
@@ -34,9 +34,13 @@ class LawStatistics {
     long long non_finite_at_step = -1;
   };
 
+  const Law& lawOf(std::size_t row, std::size_t index) const {
+    return laws_[family_.place(row * names_.size() + index)];
+  }
+
   std::vector<std::string> names_;
   LawFamily family_;
-  std::vector<Law> laws_;  ///< [row x number of laws + law]
+  std::vector<Law> laws_;  ///< at their places in the family
 };
 
 }  // namespace fissure

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 
@@ -44,6 +45,12 @@ double area_m2(const Corners& c) {
   return (c[1] - c[0]).cross(c[2] - c[0]).norm() / 2;
 }
 
+/// A length in spacings as a whole number of cells, at least one; there is an end to them.
+double cellsOf(double spacings) {
+  constexpr double most = 1e15;
+  return std::min(std::max(1.0, std::ceil(spacings)), most);
+}
+
 /// Cuts a right triangle into slabs across its longer leg, and each slab into cells, none longer or wider
 /// than the spacing but for the slope of its third side, and calls `cell(sample, corners)` for each. Ends
 /// early when that returns false; returns whether it did not.
@@ -52,11 +59,13 @@ bool cutRight(const Vec3& right, Vec3 one, Vec3 other, double spacing_m, const C
   if ((other - right).squaredNorm() > (one - right).squaredNorm()) std::swap(one, other);
   const Vec3 along = one - right, across = other - right;
   const auto point = [&](double f, double g) { return Vec3(right + f * along + (g * (1 - f)) * across); };
-  const double slabs = std::max(1.0, std::ceil(along.norm() / spacing_m));
-  for (double i = 0; i < slabs; ++i) {
+  const double slabs = cellsOf(along.norm() / spacing_m);
+  for (std::int64_t slab = 0; slab < static_cast<std::int64_t>(slabs); ++slab) {
+    const auto i = static_cast<double>(slab);
     const double begin = i / slabs, end = (i + 1) / slabs;
-    const double rows = std::max(1.0, std::ceil(across.norm() * (1 - begin) / spacing_m));
-    for (double j = 0; j < rows; ++j) {
+    const double rows = cellsOf(across.norm() * (1 - begin) / spacing_m);
+    for (std::int64_t row = 0; row < static_cast<std::int64_t>(rows); ++row) {
+      const auto j = static_cast<double>(row);
       const double low = j / rows, high = (j + 1) / rows;
       const Vec3 sample = point((i + kAlong) / slabs, (j + kAcross) / rows);
       if (!cell(sample, {point(begin, low), point(begin, high), point(end, low), point(end, high)}))

@@ -51,7 +51,7 @@ class MeanOutcome {
   int count_ = 0;
 };
 
-class ElasticSimulation : public Simulation {
+class ElasticSimulation final : public Simulation {
  public:
   ElasticSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
                     const std::vector<Pose>& first_poses)

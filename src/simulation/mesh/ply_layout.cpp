@@ -1,5 +1,7 @@
 #include "mesh/ply_layout.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <map>
 #include <sstream>
@@ -8,6 +10,8 @@
 
 namespace fissure {
 namespace {
+
+constexpr double most_elements = 1e15;  ///< more than any file has: it ends first
 
 [[noreturn]] void endsEarly() {
   throw InputError("ends before all that its header states (a damaged file)");
@@ -129,7 +133,8 @@ template <class Walker>
 void PlyLayout::walk(Walker walker) const {
   for (const Element& element : elements_) {
     if (element.properties.empty()) continue;
-    for (double i = 0; i < element.count; ++i)
+    const auto count = static_cast<std::uint64_t>(std::ceil(std::min(element.count, most_elements)));
+    for (std::uint64_t i = 0; i < count; ++i)
       for (const Property& property : element.properties) {
         std::uint64_t values = 1;
         if (property.count_size > 0) values = walker.count(property.count_size);

@@ -141,7 +141,7 @@ PageJson sweepCurves(const SweepTable& table, const ShownRuns& shown) {
   const SweepTableLayout& layout = table.layout();
   if (layout.curves.empty() || layout.curve_time_s.empty() || shown.runs.empty()) return nullptr;
   Sizes sizes{layout.curve_time_s.size()};
-  sizes.every = (sizes.stored + most_times - 1) / most_times;
+  sizes.every = std::max<std::size_t>(1, (sizes.stored + most_times - 1) / most_times);
   PageJson times = PageJson::array(), measured = PageJson::array(), tracks = PageJson::array();
   for (std::size_t i = 0; i < sizes.stored; i += sizes.every) {
     times.push_back(shortNumber(layout.curve_time_s[i]));

@@ -73,7 +73,7 @@ void expectPlainValues(const std::vector<ForceSettings>& laws, const std::vector
   family.evaluate(inputs);
   ASSERT_EQ(family.values().size(), laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    const LawValue& found = family.values()[i];
+    const LawValue& found = family.value(i);
     const PlainValue plain = plainly(laws[i], inputs);
     const LawValue& value = plain.value;
     std::string law(entryOf(laws[i].model).name);
@@ -139,8 +139,8 @@ TEST(LawFamily, EqualsEachLawTriangleByTriangle) {
   for (const int triangles : {1, 2, 60, 500}) expectPlainValues(manyLaws(), randomInputs(triangles, 7));
   LawFamily family({huntCrossley(200, 50, 1.3)}, {huntCrossley(1, 1, 1)});
   family.evaluate(randomInputs(60, 7));
-  EXPECT_GT(family.values()[0].adhesion_clamped, 2) << "no triangle pulls, no test";
-  EXPECT_LT(family.values()[0].adhesion_clamped, 50);
+  EXPECT_GT(family.value(0).adhesion_clamped, 2) << "no triangle pulls, no test";
+  EXPECT_LT(family.value(0).adhesion_clamped, 50);
 }
 
 TEST(LawFamily, ALawThatOverflowsDoesSoAloneAndAsPlainly) {
@@ -150,7 +150,7 @@ TEST(LawFamily, ALawThatOverflowsDoesSoAloneAndAsPlainly) {
   expectPlainValues({wild, huntCrossley(200, 50, 1.3)}, inputs);
   LawFamily family({wild}, {huntCrossley(1, 1, 1)});
   family.evaluate(inputs);
-  EXPECT_FALSE(std::isfinite(family.values()[0].elastic_N));
+  EXPECT_FALSE(std::isfinite(family.value(0).elastic_N));
 }
 
 TEST(LawFamily, AStepWithoutTrianglesGivesZeros) {
@@ -213,9 +213,9 @@ TEST(LawFamily, WhatIsNoNumberStaysSo) {
   }
   LawFamily family({huntCrossley(200, 50, 1.3)}, {huntCrossley(200, 50, 1.3)});
   family.evaluate({usual, {kNaN, 0, 1e-5, Vec3(0, 1, 0)}});
-  EXPECT_TRUE(std::isnan(family.values()[0].force_N));
+  EXPECT_TRUE(std::isnan(family.value(0).force_N));
   family.evaluate({usual});
-  EXPECT_TRUE(std::isfinite(family.values()[0].force_N)) << "the step after is good again";
+  EXPECT_TRUE(std::isfinite(family.value(0).force_N)) << "the step after is good again";
 }
 
 // To the last bit: a sweep may be cut into families in any way.
@@ -232,11 +232,11 @@ TEST(LawFamily, OtherLawsAndTheirOrderDoNotMatter) {
   for (std::size_t i = 0; i < order.size(); ++i) {
     LawFamily alone({laws[i]}, {laws[0]});
     alone.evaluate(randomInputs(60, 11));
-    EXPECT_EQ(alone.values()[0].force_N, family.values()[i].force_N);
-    EXPECT_EQ(alone.values()[0].elastic_N, family.values()[i].elastic_N);
-    EXPECT_EQ(other.values()[i].force_N, family.values()[order[i]].force_N);
-    EXPECT_EQ(other.values()[i].viscous_N, family.values()[order[i]].viscous_N);
-    EXPECT_EQ(other.values()[i].adhesion_clamped, family.values()[order[i]].adhesion_clamped);
+    EXPECT_EQ(alone.value(0).force_N, family.value(i).force_N);
+    EXPECT_EQ(alone.value(0).elastic_N, family.value(i).elastic_N);
+    EXPECT_EQ(other.value(i).force_N, family.value(order[i]).force_N);
+    EXPECT_EQ(other.value(i).viscous_N, family.value(order[i]).viscous_N);
+    EXPECT_EQ(other.value(i).adhesion_clamped, family.value(order[i]).adhesion_clamped);
   }
 }
 
@@ -259,8 +259,8 @@ TEST(LawFamily, EachLawTakesTheInputsOfItsKinds) {
   LawFamily family(laws, scenario_laws);
   family.evaluate(inputs);
   const PlainValue of_first = plainly(laws[0], first), of_second = plainly(laws[1], second);
-  EXPECT_NEAR(family.values()[0].force_N, of_first.value.force_N, of_first.rounding_N());
-  EXPECT_NEAR(family.values()[1].force_N, of_second.value.force_N, of_second.rounding_N());
+  EXPECT_NEAR(family.value(0).force_N, of_first.value.force_N, of_first.rounding_N());
+  EXPECT_NEAR(family.value(1).force_N, of_second.value.force_N, of_second.rounding_N());
 
   laws[1].rate = RateSource::differences;
   try {
