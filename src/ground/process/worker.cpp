@@ -1,6 +1,7 @@
 #include "process/worker.h"
 
 #include <fmt/core.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -47,6 +48,8 @@ Worker::Worker(const WorkerTask& task) : time_limit_s_(task.time_limit_s), start
   process_ = spawned.process;
   output_ = std::move(spawned.output);
   errors_ = std::move(spawned.errors);
+  // By number: the declaration of glibc 2.36 has no linkage in C++.
+  end_ = Descriptor(static_cast<int>(::syscall(SYS_pidfd_open, process_, 0)));
 }
 
 Worker::~Worker() {

@@ -44,6 +44,8 @@ class Worker {
 
   /// Descriptors of its stdout and stderr, to be polled for reading; -1 where the worker has closed it.
   std::array<int, 2> descriptors() const { return {output_.number(), errors_.number()}; }
+  /// A descriptor that can be read as soon as the process has ended; -1 where the system gives none.
+  int endDescriptor() const { return end_.number(); }
   /// Reads what is available without blocking, at most 64 KiB of each, so that a flood of output cannot block
   /// the caller.
   void read();
@@ -72,6 +74,7 @@ class Worker {
   pid_t process_ = -1;
   Descriptor output_;
   Descriptor errors_;
+  Descriptor end_;
   LineSplitter output_lines_{256};
   LineSplitter error_lines_{2000};
   Progress progress_;

@@ -3,6 +3,7 @@
 #include <poll.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "base/error.h"
@@ -44,18 +45,20 @@ void WorkerPool::startMore(std::size_t tasks, const std::function<WorkerTask(std
 /// Sleeps until a worker says something, a request comes, or the next look at the workers is due.
 void WorkerPool::wait() const {
   constexpr double look_every_s = 0.1;
-  constexpr double look_for_end_every_s = 0.005;  // a worker that closed its pipes is about to end
+  // A worker that closed its pipes is about to end; of some systems one must ask when.
+  constexpr double look_for_end_every_s = 0.005;
   std::vector<pollfd> watched = {{interrupt_.descriptor(), POLLIN, 0}};
   double timeout_s = look_every_s;
   for (const Running& running : running_) {
-    bool silent = true;
-    for (const int descriptor : running.worker->descriptors()) {
+    const std::array<int, 2> pipes = running.worker->descriptors();
+    bool wakes = false;
+    for (const int descriptor : {pipes[0], pipes[1], running.worker->endDescriptor()}) {
       if (descriptor < 0) continue;
       watched.push_back({descriptor, POLLIN, 0});
-      silent = false;
+      wakes = true;
     }
     timeout_s =
-        std::min({timeout_s, running.worker->timeLeft_s(), silent ? look_for_end_every_s : look_every_s});
+        std::min({timeout_s, running.worker->timeLeft_s(), wakes ? look_every_s : look_for_end_every_s});
   }
   ::poll(watched.data(), watched.size(), static_cast<int>(std::ceil(timeout_s * 1e3)));
 }

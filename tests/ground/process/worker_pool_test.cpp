@@ -37,6 +37,21 @@ TEST(WorkerPool, OneBadWorkerLeavesTheOthersAlone) {
   EXPECT_EQ(nameOf(heard.ends[4].end), "ok");
 }
 
+// Asking every 5 ms, as of systems that do not tell, would be about 60 times.
+TEST(WorkerPool, IsToldWhenASilentWorkerEnds) {
+  class Counting : public Listener {
+   public:
+    void woke() override { ++wakes; }
+    int wakes = 0;
+  };
+  Interrupt interrupt;
+  Counting heard;
+  WorkerPool(1, interrupt).run({shellTask("exec >&- 2>&-; sleep 0.3")}, heard);
+  EXPECT_EQ(nameOf(heard.ends[0].end), "ok");
+  EXPECT_GE(heard.wakes, 1);
+  EXPECT_LT(heard.wakes, 15);
+}
+
 // What the machine is to blame for is told apart from how runs end, where somebody listens to that.
 TEST(WorkerPool, TellsAHinderedTaskFromOneThatFails) {
   class Apart : public Listener {
