@@ -298,9 +298,12 @@ TEST(Deformable, TwoRunsAreEqualToTheLastBit) {
 
 // Before the first step no contact has pressed, whatever the memory held before.
 TEST(Deformable, TheFirstStateHasNoPressure) {
-  ASSERT_EQ(mallopt(M_PERTURB, 0xa5), 1);  // fresh memory is filled with 0x5a
+  const int set = mallopt(M_PERTURB, 0xa5);  // fresh memory is filled with 0x5a
+#ifndef __SANITIZE_ADDRESS__                 // which fills it by itself
+  ASSERT_EQ(set, 1);
+#endif
   World world(heldBall(), deformable());
-  mallopt(M_PERTURB, 0);
+  if (set == 1) mallopt(M_PERTURB, 0);
   const std::vector<double>& pressures_Pa = world.state().volume->pressures_Pa;
   ASSERT_FALSE(pressures_Pa.empty());
   EXPECT_EQ(std::count(pressures_Pa.begin(), pressures_Pa.end(), 0.0),
