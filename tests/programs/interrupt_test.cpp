@@ -139,12 +139,12 @@ TEST(Killed, FrontTakesItsWorkerAlongAndLeavesNoResult) {
 
 TEST(TimeLimit, IsRecorded) {
   const Folder folder;
-  folder.write("s.yaml", endlessScenario("[{pipeline: fukuhara, time_limit_s: 0.5}]"));
+  folder.write("s.yaml", endlessScenario("[{pipeline: fukuhara, time_limit_s: 3}]"));
   const Outcome outcome = runFissure(folder, {"run", "s.yaml", "-o", "out.h5"});
   EXPECT_EQ(outcome.code, 3);
   const ResultInfo info = readResultInfo(folder / "out.h5");
   EXPECT_EQ(nameOf(info.pipelines.at(0).status.end), "timeout");
-  EXPECT_NE(info.pipelines.at(0).status.detail.find("time limit of 0.5 s reached after step "),
+  EXPECT_NE(info.pipelines.at(0).status.detail.find("time limit of 3 s reached after step "),
             std::string::npos)
       << info.pipelines.at(0).status.detail;
 }

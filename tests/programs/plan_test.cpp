@@ -68,11 +68,11 @@ TEST(Pilot, BadNumbersAreRefused) {
 
 TEST(Pilot, OneThatFailsSaysWhy) {
   const Folder folder;
-  folder.write("s.yaml", endlessScenario("[{pipeline: fukuhara, time_limit_s: 0.5}]"));
+  folder.write("s.yaml", endlessScenario("[{pipeline: fukuhara, time_limit_s: 3}]"));
   const Outcome plan = runTool(folder, words(folder, {"plan", "s.yaml", "--pilot", "10"}));
   EXPECT_EQ(plan.code, 3);
   EXPECT_TRUE(
-      hasMatch(plan.out, "^  time: unknown, the pilot timeout: time limit of 0.5 s reached after step "))
+      hasMatch(plan.out, "^  time: unknown, the pilot timeout: time limit of 3 s reached after step "))
       << plan.out;
   EXPECT_EQ(temporaryFiles(folder), 0);
 }

@@ -168,10 +168,10 @@ TEST(Sweep, WhatFailsIsARowAndTheOthersGoOn) {
   const Folder folder;
   folder.write("press.yaml", pressScenario());
   folder.write("s.yaml", sweepOf("axes: [{path: time.duration_s, values: [0.01, 1000]}]\n"
-                                 "limits: {time_s: 0.5}\n"));
+                                 "limits: {time_s: 3}\n"));
   const Outcome outcome = runFissure(folder, {"sweep", "s.yaml", "-o", "out", "-j", "2"});
   EXPECT_EQ(outcome.code, 3);
-  EXPECT_TRUE(hasMatch(outcome.err, "first failure: [0-9a-f]{16}: timeout \\(time limit of 0.5 s"))
+  EXPECT_TRUE(hasMatch(outcome.err, "first failure: [0-9a-f]{16}: timeout \\(time limit of 3 s"))
       << outcome.err;
   const SweepTable table(folder / "out/sweep.h5");
   EXPECT_EQ(table.texts("status"), (std::vector<std::string>{"ok", "timeout"}));
@@ -190,7 +190,7 @@ TEST(Sweep, SimulationsThatTakeTooLongWaitForTheOthersTheNextTime) {
   const Folder folder;
   folder.write("press.yaml", pressScenario());
   folder.write("s.yaml", sweepOf("axes: [{path: time.duration_s, values: [1000, 0.01]}]\n"
-                                 "limits: {time_s: 0.3}\n"));
+                                 "limits: {time_s: 2}\n"));
   ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out", "--fail-fast"}).code, 3);
   const Outcome next = runFissure(folder, {"sweep", "out", "--fail-fast", "--shard", "1/1"});
   EXPECT_EQ(next.code, 3);
