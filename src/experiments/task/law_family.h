@@ -38,7 +38,7 @@ class LawFamily {
   const LawValue& value(std::size_t law) const { return values_[places_[law]]; }
   /// The values of all laws, each at its place(law). They are computed in this order, so that whoever keeps
   /// something for each of a million laws in the same order goes through memory from end to end.
-  const std::vector<LawValue>& values() const { return values_; }
+  const std::vector<LawValue>& valuesByPlace() const { return values_; }
   std::size_t place(std::size_t law) const { return places_[law]; }
 
  private:

@@ -35,7 +35,7 @@ LawStatistics::LawStatistics(const std::vector<std::vector<ForceSettings>>& rows
 void LawStatistics::add(const State& state) {
   family_.evaluate(state.law_inputs);
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const LawValue& value = family_.values()[i];
+    const LawValue& value = family_.valuesByPlace()[i];
     laws_[i].max_N.add(value.force_N);
     laws_[i].roughness.add(value.force_N);
     if (laws_[i].non_finite_at_step < 0 && !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))

@@ -71,7 +71,7 @@ bool agree(double found, double expected, double rounding) {
 void expectPlainValues(const std::vector<ForceSettings>& laws, const std::vector<LawInput>& inputs) {
   LawFamily family(laws, {huntCrossley(200, 50, 1.3)});
   family.evaluate(inputs);
-  ASSERT_EQ(family.values().size(), laws.size());
+  ASSERT_EQ(family.valuesByPlace().size(), laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) {
     const LawValue& found = family.value(i);
     const PlainValue plain = plainly(laws[i], inputs);
@@ -157,7 +157,7 @@ TEST(LawFamily, AStepWithoutTrianglesGivesZeros) {
   LawFamily family(manyLaws(), {huntCrossley(200, 50, 1.3)});
   family.evaluate(randomInputs(60, 1));
   family.evaluate({});
-  for (const LawValue& value : family.values()) {
+  for (const LawValue& value : family.valuesByPlace()) {
     EXPECT_EQ(value.force_N, 0);
     EXPECT_EQ(value.elastic_N, 0);
     EXPECT_EQ(value.adhesion_clamped, 0);
