@@ -35,7 +35,7 @@ namespace {
 
 using namespace fissure;
 
-/// Of ten million force laws; more than any file that a user writes.
+/// The largest order that is read: one with ten million force laws. No file that a user writes is as large.
 constexpr std::uintmax_t most_order_bytes = std::uintmax_t{4} << 30;
 
 /// Pictures, chunks of files and a step's arrays come and go all the time: memory that was given back to the

@@ -9,7 +9,7 @@
 
 #include "base/counted.h"
 #include "base/error.h"
-#include "files/temporary_file.h"
+#include "files/write_file.h"
 #include "process/progress_display.h"
 #include "slurm/sbatch_options.h"
 #include "text/scalars.h"
@@ -29,16 +29,6 @@ std::string thisProgram() {
 
 bool isUnedited(const std::string& text, const ArrayScript& script) {
   return text == arrayScriptText(script);
-}
-
-void put(const fs::path& path, const std::string& text) {
-  try {
-    TemporaryFile file(path);
-    file.write(text);
-    file.commit();
-  } catch (const RunError& failure) {
-    throw RunError(path.string() + ": " + failure.what());
-  }
 }
 
 /// Shards with a task among `tasks`.
@@ -129,19 +119,19 @@ void SlurmSubmission::writeScripts(const ArrayScript& script, std::ostream& out)
   if (error) throw RunError(slurmFolder(folder_).string() + ": cannot be made: " + error.message());
   const fs::path array = arrayScriptFile(folder_), merge = mergeScriptFile(folder_);
   if (!array_ || isUnedited(array_text_, *array_)) {
-    put(array, arrayScriptText(script));
+    replaceFile(array, arrayScriptText(script));
   } else {
     const bool other = array_->shards != script.shards;
     out << array.string() << ": was edited, and is kept"
         << (other ? " but for its number of shards, now " + std::to_string(script.shards) : "") << "\n";
     if (array_->program != script.program)
       out << array.string() << ": runs " << array_->program << ", not this program\n";
-    put(array, withShards(array_text_, script));
+    replaceFile(array, withShards(array_text_, script));
   }
   if (fs::exists(merge, error) && !isUneditedMergeScript(readTextFile(merge), script.sweep))
     out << merge.string() << ": was edited, and is kept\n";
   else
-    put(merge, mergeScriptText(script.sweep, script.program));
+    replaceFile(merge, mergeScriptText(script.sweep, script.program));
 }
 
 std::vector<std::string> SlurmSubmission::arrayArguments(const std::string& ranges) const {

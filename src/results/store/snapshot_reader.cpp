@@ -109,7 +109,7 @@ TriangleMesh SnapshotReader::readSurface(const std::string& group) const {
   return {vectorsOf(vertices), facesOf(*corners)};
 }
 
-/// Of their rest shape only the number of vertices is needed: a picture shows positions.
+/// Reads how many vertices each body has. A picture shows positions, so the rest shapes are not needed.
 void SnapshotReader::readBodies() {
   const StoredQuantity& first_vertices = need("first_vertex", {any_length});
   const std::size_t count = first_vertices.axes.front().length;

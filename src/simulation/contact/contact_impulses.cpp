@@ -22,7 +22,8 @@ void move(const ContactConstraint& contact, const Vec3& push_kg_m, std::span<con
   }
 }
 
-/// Of a contact's tool by contacts so far.
+/// The displacement that contacts so far have given the tool of this contact; zero for a tool that they do
+/// not push.
 Vec3 movedBy(const Vec3* tool_moved_m) {
   return tool_moved_m ? *tool_moved_m : Vec3::Zero();
 }

@@ -80,7 +80,8 @@ class LargestEigenvalue {
     result = result.cwiseProduct(scale_);
   }
 
-  /// Of a symmetric tridiagonal matrix.
+  /// The largest eigenvalue of the symmetric tridiagonal matrix with these entries on and beside its
+  /// diagonal.
   static double largestOf(const std::vector<double>& diagonal, const std::vector<double>& beside) {
     Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver;
     solver.computeFromTridiagonal(Eigen::Map<const Eigen::VectorXd>(diagonal.data(), diagonal.size()),
