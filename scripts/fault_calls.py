@@ -106,7 +106,7 @@ def look(shop, case, ended, kind="", call="", mode=Mode("", {})):
         codes = [shop.run(words).returncode for words in case.again]
         seen.again = not any(codes) and not unlike(shop.folder, shop.after)
     judge(seen, recorded, reason)
-    judge_by_mode(seen, mode)
+    judge_by_mode(seen, mode, shop.replaces)
     return seen
 
 
@@ -130,9 +130,10 @@ def judge(seen, recorded, reason):
         seen.bad.append("second run differs")
 
 
-def judge_by_mode(seen, mode):
-    """Only where removing fails may anything lie there that no document knows; cleaning up that fails once is no failure."""
-    if seen.exit != 0 and not seen.lost and seen.kind in ("remove", "lock") and not mode.arm.get("again"):
+def judge_by_mode(seen, mode, replaces):
+    """Only where removing fails may anything lie there that no document knows; cleaning up that fails once is no failure. `replaces`: what the command
+    makes was there before, and so tells nothing about what it did."""
+    if seen.exit != 0 and not seen.lost and not replaces and seen.kind in ("remove", "lock") and not mode.arm.get("again"):
         seen.bad.append("false alarm")
     excused = seen.kind in ("remove", "close") or mode.arm.get("again", 0) & bits("remove")
     if any(not (excused and re.fullmatch(UNREMOVED, name)) for name in seen.litter):

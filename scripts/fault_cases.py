@@ -152,6 +152,7 @@ class Workshop:
         self.calls, self.clock_reads = self.control.calls, self.control.clock_reads
         shutil.copytree(self.folder, self.after)
         self.names = set(names(self.after))
+        self.replaces = self.names == set(names(self.before))
 
     def renew(self):
         shutil.rmtree(self.folder)

@@ -16,10 +16,10 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMANDS = """\
     mkdir -p out/robustness
-    scripts/fuzz --seconds 60 > out/robustness/fuzz.json
+    scripts/fuzz --seconds 600 --seed 5 > out/robustness/fuzz.json
     scripts/coverage > out/robustness/coverage.json
-    /usr/bin/python3 scripts/random_scenes.py --count 100 --seed 2 -o out/robustness/scenes
-    /usr/bin/python3 scripts/endurance.py --simulations 1000 --kills 10 -o out/robustness/endurance
+    /usr/bin/python3 scripts/random_scenes.py --count 1000 --seed 3 -o out/robustness/scenes
+    /usr/bin/python3 scripts/endurance.py -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
     /usr/bin/python3 scripts/robustness_page.py"""
 
@@ -128,8 +128,7 @@ def main():
 
 {COMMANDS}
 
-These are short runs. Each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--simulations` of endurance
-(ten thousand where nothing is said; ten million steps).
+Two hours of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
 
 ## Inputs of strangers
 

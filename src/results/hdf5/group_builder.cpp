@@ -145,8 +145,8 @@ void GroupBuilder::addLabels(const std::string& axis, const std::vector<std::str
   const h5::Id dataset = create(spec, type);
   std::vector<const char*> pointers;
   for (const std::string& label : labels) pointers.push_back(label.c_str());
-  h5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "cannot write dataset",
-            axis);
+  h5::check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, h5::transferOf(type), pointers.data()),
+            "cannot write dataset", axis);
 }
 
 void GroupBuilder::addIndex(const std::string& axis, hsize_t length) {

@@ -235,6 +235,14 @@ Id textType() {
   return type;
 }
 
+Id transferOf(hid_t type) {
+  Id list(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "cannot make a transfer list");
+  constexpr std::size_t text_buffer = 16384;
+  if (check(H5Tis_variable_str(type), "cannot look at a type") > 0)
+    check(H5Pset_buffer(list, text_buffer, nullptr, nullptr), "cannot make a transfer list");
+  return list;
+}
+
 void writeText(hid_t group, const std::string& name, const std::string& text) {
   const Id type = textType();
   const Id space(H5Screate(H5S_SCALAR), H5Sclose, "cannot make a scalar");
@@ -242,7 +250,7 @@ void writeText(hid_t group, const std::string& name, const std::string& text) {
       H5Dcreate2(group, name.c_str(), type, space, H5P_DEFAULT, datasetProperties(), H5P_DEFAULT), H5Dclose,
       "cannot create dataset", name);
   const char* const pointer = text.c_str();
-  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "cannot write dataset", name);
+  check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transferOf(type), &pointer), "cannot write dataset", name);
 }
 
 std::vector<std::string> readTexts(hid_t dataset) {
@@ -251,7 +259,7 @@ std::vector<std::string> readTexts(hid_t dataset) {
   const Id space(H5Dget_space(dataset), H5Sclose, "cannot read a text");
   const hssize_t count = check(H5Sget_simple_extent_npoints(space), "cannot read a text");
   std::vector<char*> pointers(static_cast<std::size_t>(count), nullptr);
-  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "cannot read a text");
+  check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, transferOf(type), pointers.data()), "cannot read a text");
   std::vector<std::string> texts;
   for (const char* text : pointers) texts.emplace_back(text ? text : "");
   check(H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data()), "cannot read a text");

@@ -84,6 +84,10 @@ bool isView(hid_t dataset);
 
 /// The type of variable-length UTF-8 strings.
 Id textType();
+/// How values of a type in memory are read and written. For each call with texts HDF5 clears the buffers
+/// through which it converts them, of a megabyte each where nothing is said: here they are of 16 KiB, as a
+/// result has dozens of short texts.
+Id transferOf(hid_t type);
 void writeText(hid_t group, const std::string& name, const std::string& text);
 /// The strings of a dataset in row-major order; a scalar dataset has one.
 std::vector<std::string> readTexts(hid_t dataset);

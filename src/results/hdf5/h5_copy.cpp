@@ -36,8 +36,9 @@ void copyValues(hid_t from, hid_t selection, hid_t to, const std::string& name) 
   if (count == 0) return;
   const Id space(H5Screate_simple(1, &count, nullptr), H5Sclose, "cannot read", name);
   std::vector<char> values(count * H5Tget_size(memory));
-  check(H5Dread(from, memory, space, selection, H5P_DEFAULT, values.data()), "cannot read", name);
-  check(H5Dwrite(to, memory, space, H5S_ALL, H5P_DEFAULT, values.data()), "cannot write dataset", name);
+  const Id transfer = transferOf(memory);
+  check(H5Dread(from, memory, space, selection, transfer, values.data()), "cannot read", name);
+  check(H5Dwrite(to, memory, space, H5S_ALL, transfer, values.data()), "cannot write dataset", name);
   check(H5Dvlen_reclaim(memory, space, H5P_DEFAULT, values.data()), "cannot read", name);
 }
 

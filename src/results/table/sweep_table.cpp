@@ -56,8 +56,8 @@ std::vector<std::string> readTexts(hid_t file, const std::string& name, std::siz
   std::vector<char*> pointers(rows.values, nullptr);
   std::vector<std::string> texts;
   if (pointers.empty()) return texts;
-  h5::check(H5Dread(rows.dataset, type, rows.to, rows.from, H5P_DEFAULT, pointers.data()), "cannot read",
-            name);
+  h5::check(H5Dread(rows.dataset, type, rows.to, rows.from, h5::transferOf(type), pointers.data()),
+            "cannot read", name);
   for (const char* text : pointers) texts.emplace_back(text ? text : "");
   h5::check(H5Dvlen_reclaim(type, rows.to, H5P_DEFAULT, pointers.data()), "cannot read", name);
   return texts;
