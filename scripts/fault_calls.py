@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What is left when calls that change files fail, one after another, and after other faults of the system.
 
-    /usr/bin/python3 scripts/fault_calls.py [--programs build/release] [--seed 1] [--every 1] [--every-other 8]
+    /usr/bin/python3 scripts/fault_calls.py [--programs build/release] [--seed 1] [--every 1] [--every-study K] [--every-other 8]
                                             [--few 6] [--case NAME ...] [-o results/faults/README.md]
     /usr/bin/python3 scripts/fault_calls.py --check
 
@@ -85,7 +85,7 @@ def message_of(ended):
 
 
 def names_what_failed(line):
-    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\b(d|out)(/\w+)?: ", line) is not None
+    return "memory" in line or re.search(r"[\w-]+\.(h5|part|yaml|csv|json|html|journal|tmp|order|record)\b|\b(d|out)(/\w+)*: ", line) is not None
 
 
 def look(shop, case, ended, kind="", call="", mode=Mode("", {})):
@@ -192,8 +192,8 @@ TEXT = """
 
 One command in a small folder (a scenario of 10 steps, sweeps and studies of a few), and one fault. A preloaded library counts
 the calls below that folder that open a file for writing, write, truncate, sync, close, rename, remove, link, make a folder or
-lock, of the front and its workers together, and lets the N-th fail: every {every}th in turn with EIO, every {every_other}th in
-the other ways (`--every 1`: all of them, which takes hours). Once: that call alone. From then on: ENOSPC whatever needs room,
+lock, of the front and its workers together, and lets the N-th fail: every {every}th in turn with EIO ({every_study}th of studies),
+every {every_other}th in the other ways (with 1 all of them). Once: that call alone. From then on: ENOSPC whatever needs room,
 EIO everything, cleaning up included. Calls: of the undisturbed command. Failed: trials, by the first call that failed. Exit: how
 often which code. Lost: trials after which a final file is missing or other than undisturbed, of which **falsely** with exit
 code 0. Incomplete: a file under a final name that is not whole. Changed: results that were finished before, and are not bit by
@@ -212,10 +212,10 @@ as undisturbed, {bad} not as promised.**
 
 def section(arguments, rows, everything):
     total = lambda test: sum(1 for seen in everything if test(seen))
-    command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-other {arguments.every_other} "
+    command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-study {arguments.every_study} --every-other {arguments.every_other} "
                f"--few {arguments.few} --seed {arguments.seed} -o results/faults/README.md")
     return HEADING + TEXT.format(
-        command=command, every=arguments.every, every_other=arguments.every_other, trials=len(everything), lost=total(lambda seen: seen.lost),
+        command=command, every=arguments.every, every_study=arguments.every_study, every_other=arguments.every_other, trials=len(everything), lost=total(lambda seen: seen.lost),
         falsely=total(lambda seen: "false success" in seen.bad), incomplete=total(lambda seen: seen.incomplete),
         changed=total(lambda seen: seen.changed), again=total(lambda seen: seen.again), seconds=total(lambda seen: seen.again is not None),
         bad=total(lambda seen: seen.bad)) + "\n".join(rows) + "\n"
@@ -236,7 +236,8 @@ def part(arguments, case_name, mode):
         shop = Workshop(top, arguments.programs.resolve())
         shop.prepare(case)
         if mode:
-            every = arguments.every if mode == EVERY_CALL else arguments.every_other
+            of_case = arguments.every_study if case_name.startswith("study") else arguments.every
+            every = of_case if mode == EVERY_CALL else arguments.every_other
             found = [(mode.name, shop.calls, calls_in_turn(shop, case, mode, every, rng))]
         else:
             found = [(fault, "", seen) for fault, seen in system_faults(shop, case, arguments.few, rng, look, report)]
@@ -284,6 +285,7 @@ def main():
     parser.add_argument("--programs", type=pathlib.Path, default=ROOT / "build/release")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--every", type=int, default=1, help="let every K-th call fail with EIO, from one drawn by the seed")
+    parser.add_argument("--every-study", type=int, help="the same for studies, which make thousands of calls (as --every)")
     parser.add_argument("--every-other", type=int, default=8, help="the same for the other ways to fail")
     parser.add_argument("--few", type=int, default=6, help="trials of each other fault")
     parser.add_argument("--case", action="append", help="this command alone (repeatable)")
@@ -291,6 +293,7 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, help="the page; without it no page")
     parser.add_argument("-j", "--jobs", type=int, default=os.cpu_count(), help="commands side by side")
     arguments = parser.parse_args()
+    arguments.every_study = arguments.every_study or arguments.every
     if arguments.check:
         with tempfile.TemporaryDirectory() as top:
             shop = Workshop(top, arguments.programs.resolve())

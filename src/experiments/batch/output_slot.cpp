@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "files/temporary_file.h"
 
 namespace fissure {
 

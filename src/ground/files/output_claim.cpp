@@ -5,6 +5,7 @@
 #include <climits>
 
 #include "base/error.h"
+#include "files/temporary_file.h"
 
 namespace fissure {
 
@@ -44,20 +45,6 @@ void refuseInput(const fs::path& input, const fs::path& output) {
   std::error_code missing;
   if (fs::equivalent(input, output, missing))
     throw InputError(inFile(output), "is the result itself, expected another name");
-}
-
-std::vector<fs::path> unfinishedOf(const fs::path& output) {
-  const std::string beginning = output.filename().string() + ".", ending = ".tmp";
-  const fs::path folder = output.has_parent_path() ? output.parent_path() : fs::path(".");
-  std::vector<fs::path> found;
-  std::error_code ignored;
-  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(beginning) || !name.ends_with(ending)) continue;
-    const bool numbered = name.find_first_not_of("0123456789.", beginning.size()) == name.size() - 3;
-    if (numbered && fs::is_regular_file(entry.symlink_status(ignored))) found.push_back(entry.path());
-  }
-  return found;
 }
 
 OutputClaim::OutputClaim(const fs::path& output, bool replace) {

@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "files/file_lock.h"
 
@@ -28,10 +27,6 @@ class OutputClaim {
 
 /// Throws InputError when `output` is the same file as `input`.
 void refuseInput(const std::filesystem::path& input, const std::filesystem::path& output);
-
-/// Files beside `output` that have the names of its TemporaryFile in whatever process. Where nobody writes it
-/// (OutputClaim), killed processes have left them.
-std::vector<std::filesystem::path> unfinishedOf(const std::filesystem::path& output);
 
 /// The path `.<name of output><ending>` in the folder of `output`.
 std::filesystem::path hiddenBeside(const std::filesystem::path& output, const std::string& ending);

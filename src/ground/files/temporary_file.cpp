@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 
 #include "base/error.h"
@@ -65,6 +67,32 @@ void TemporaryFile::commit() {
   if (std::rename(path_.c_str(), target_.c_str()) != 0) failSystem("cannot rename");
   path_.clear();
   sync(std::filesystem::absolute(target_).parent_path(), O_RDONLY | O_DIRECTORY);
+}
+
+std::vector<std::filesystem::path> unfinishedOf(const std::filesystem::path& target) {
+  const std::string beginning = target.filename().string() + ".", ending = ".tmp";
+  const std::filesystem::path folder =
+      target.has_parent_path() ? target.parent_path() : std::filesystem::path(".");
+  std::vector<std::filesystem::path> found;
+  std::error_code ignored;
+  for (const std::filesystem::directory_entry& entry : std::filesystem::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(beginning) || !name.ends_with(ending)) continue;
+    const bool numbered = name.find_first_not_of("0123456789.", beginning.size()) == name.size() - 3;
+    if (numbered && std::filesystem::is_regular_file(entry.symlink_status(ignored)))
+      found.push_back(entry.path());
+  }
+  return found;
+}
+
+void removeAbandoned(const std::filesystem::path& target) {
+  std::error_code ignored;
+  for (const std::filesystem::path& file : unfinishedOf(target)) {
+    const std::size_t at = target.filename().string().size() + 1;
+    const long process = std::strtol(file.filename().c_str() + at, nullptr, 10);
+    if (process > 0 && ::kill(static_cast<pid_t>(process), 0) != 0 && errno == ESRCH)
+      std::filesystem::remove(file, ignored);
+  }
 }
 
 }  // namespace fissure

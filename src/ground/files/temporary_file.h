@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace fissure {
 
@@ -31,5 +32,13 @@ class TemporaryFile {
   std::filesystem::path target_;
   std::filesystem::path path_;
 };
+
+/// Files beside `target` that have the names of its TemporaryFile in whatever process. Where nobody writes it
+/// (OutputClaim), killed processes have left them.
+std::vector<std::filesystem::path> unfinishedOf(const std::filesystem::path& target);
+
+/// Removes those of them whose process lives no more on this machine, as far as that can be done. One that
+/// lives on another machine under the number of a dead one here loses its file, and its commit() fails.
+void removeAbandoned(const std::filesystem::path& target);
 
 }  // namespace fissure

@@ -19,6 +19,7 @@ void replaceFile(const std::filesystem::path& file, const std::string& text) {
     TemporaryFile temporary(file);
     temporary.write(text);
     temporary.commit();
+    removeAbandoned(file);
   } catch (const RunError& error) {
     throw DiskError(file.string() + ": " + error.what());
   }
