@@ -189,7 +189,7 @@ double fileBytes(hid_t object) {
 }
 
 std::vector<hsize_t> shapeOf(hid_t dataset) {
-  const std::vector<hsize_t> shape = statedShape(dataset);
+  std::vector<hsize_t> shape = statedShape(dataset);
   const double stated_bytes = statedBytes(dataset, shape);
   if (stated_bytes > mostHeldBy(fileBytes(dataset))) refuseStated(stated_bytes);
   return shape;

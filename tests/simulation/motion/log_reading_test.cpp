@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <locale>
 #include <random>
 
@@ -146,13 +146,13 @@ TEST(LogText, AMillionRowsLoadQuickly) {
   std::string text = "t,x,y,z,fx,fy,fz\n";
   for (int i = 0; i < 1'000'000; ++i)
     text += std::to_string(0.001 * i) + ",0.0150186,-0.0546833,0.104991,-0.742894,2.92383,-0.0126603\n";
-  const auto start = std::chrono::steady_clock::now();
+  const std::clock_t start = std::clock();
   const auto motion = play(text, timed());
-  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+  const double processor_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   EXPECT_EQ(count(*motion, "replay_samples"), 1'000'000);
   EXPECT_EQ(count(*motion, "replay_held_samples"), 999'999);
-  // Measured: 1 s, the file written included, on two busy cores; the bound leaves room for sanitizers.
-  EXPECT_LT(taken.count(), 15.0);
+  // Of the processor, whatever else it does. Measured: 1 s; the bound leaves room for sanitizers.
+  EXPECT_LT(processor_s, 15.0);
 }
 
 }  // namespace
