@@ -251,5 +251,20 @@ TEST_F(Disturbed, AnotherWorkerProgramIsAnotherPlan) {
   EXPECT_EQ(toDo(with_engine({"sweep", "s.yaml", "-o", "truth"})), 12);
 }
 
+TEST_F(Disturbed, ProgressIsOneLineOnATerminal) {
+  folder_.write("s.yaml",
+                sweepOf("axes: [{path: bodies.sphere.mass_kg, values: [0.1, 0.11]}]\nlimits: {time_s: 1}\n"));
+  folder_.write("press.yaml", pressScenario("[{pipeline: fukuhara}]", "10000"));
+  Program sweep(folder_, {fissureProgram(), "sweep", "s.yaml", "-o", "out"},
+                {.file_bytes = {}, .error_is_terminal = true});
+  const Outcome outcome = sweep.wait();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_NE(outcome.err.find("\r\x1b[K0/2 simulations, "), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("/2 simulations, 1 failed"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find(" left"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("\r\x1b[Kfirst failure: "), std::string::npos) << outcome.err;
+  EXPECT_EQ(outcome.err.find('\n'), outcome.err.size() - 1) << outcome.err;
+}
+
 }  // namespace
 }  // namespace fissure::programs::sweep_fault_test

@@ -97,5 +97,48 @@ TEST(SweepWhy, RefusesWhatARunWould) {
   EXPECT_EQ(outcome.err.find("mine: is no folder of a sweep"), 0u) << outcome.err;
 }
 
+/// A closed surface of eight triangles.
+std::string octahedron(double radius_m) {
+  std::string text;
+  for (const double sign : {1.0, -1.0})
+    for (const char* axis : {"v {} 0 0\n", "v 0 {} 0\n", "v 0 0 {}\n"})
+      text += with(axis, "{}", std::to_string(sign * radius_m));
+  return text + "f 1 2 3\nf 2 4 3\nf 4 5 3\nf 5 1 3\nf 2 1 6\nf 4 2 6\nf 5 4 6\nf 1 5 6\n";
+}
+
+TEST(SweepWhy, OfFilesOnAnAxisOnlyTheChangedOneRunsAgain) {
+  const Folder folder;
+  folder.write("press.yaml", with(pressScenario(), "{type: sphere, radius_m: 0.03, subdivisions: 1}",
+                                  "{type: file, file: a.obj, unit: m}"));
+  folder.write("a.obj", octahedron(0.03));
+  folder.write("b.obj", octahedron(0.031));
+  folder.write("s.yaml", sweepOf("axes:\n"
+                                 "  - {path: bodies.sphere.shape.file, values: [a.obj, b.obj]}\n"
+                                 "  - {path: bodies.sphere.mass_kg, values: [0.1, 0.11]}\n"));
+  const Outcome first = runFissure(folder, {"sweep", "s.yaml", "-o", "out"});
+  ASSERT_EQ(first.code, 0) << first.err;
+  const std::string table = folder.read("out/sweep.csv");
+  folder.write("b.obj", octahedron(0.032));
+  const Outcome refused = runFissure(folder, {"sweep", "out"});
+  EXPECT_EQ(refused.code, 2);
+  EXPECT_EQ(refused.err, "out: was planned with another b.obj, expected its sweep file to plan it again\n");
+  EXPECT_TRUE(hasMatch(runFissure(folder, {"sweep", "s.yaml", "-o", "out", "--why"}).out,
+                       "=a.obj, bodies.sphere.mass_kg=0.1   finished: ok\n.*=a.obj, .*finished: ok\n"
+                       ".*=b.obj, .*changed: another b.obj\n.*=b.obj, .*changed: another b.obj\n"
+                       "to run: 2 of 4 simulations\n"));
+  ASSERT_EQ(runFissure(folder, {"sweep", "s.yaml", "-o", "out"}).code, 0);
+  const std::string changed = folder.read("out/sweep.csv");
+  const auto rowsOfA = [](const std::string& csv) { return csv.substr(0, csv.find("\n2,")); };
+  EXPECT_NE(changed, table);
+  EXPECT_EQ(rowsOfA(changed), rowsOfA(table));
+  fs::remove(folder / "b.obj");
+  const Outcome gone = runFissure(folder, {"sweep", "s.yaml", "-o", "out"});
+  EXPECT_EQ(gone.code, 2);
+  EXPECT_TRUE(
+      hasMatch(gone.err, "^s.yaml:5: axis bodies.sphere.shape.file: .*: no such file, expected a mesh\n$"))
+      << gone.err;
+  EXPECT_EQ(folder.read("out/sweep.csv"), changed);
+}
+
 }  // namespace
 }  // namespace fissure::programs::sweep_why_test
