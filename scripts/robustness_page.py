@@ -16,9 +16,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMANDS = """\
     mkdir -p out/robustness
-    scripts/fuzz --seconds 600 --seed 5 > out/robustness/fuzz.json
+    scripts/fuzz --seconds 60 --seed 1 > out/robustness/fuzz.json
     scripts/coverage > out/robustness/coverage.json
-    /usr/bin/python3 scripts/random_scenes.py --count 1000 --seed 3 -o out/robustness/scenes
+    /usr/bin/python3 scripts/random_scenes.py --count 500 --seed 3 -o out/robustness/scenes
     /usr/bin/python3 scripts/endurance.py -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
     /usr/bin/python3 scripts/robustness_page.py"""
@@ -52,6 +52,8 @@ def scenes(found):
     rows = [(name.replace("_", " "), row["held"], row["explained"], row["broken"]) for name, row in found["invariants"].items()]
     text = (f"**{found['scenes']:,} scenes (seed {found['seed']}), {runs.get('all', 0):,} runs, {runs.get('with contact', 0):,} with contact, "
             f"{runs.get('deep', 0):,} of them deep; {broken} invariants broken.**\n\n" + table(("invariant", "held", "explained", "broken"), rows))
+    if found["broken"]:
+        text += "\n\nBroken:\n\n" + "\n".join(f"* scene {number}, {name.replace('_', ' ')}: {complaint}" for number, name, complaint in found["broken"])
     if found["explained"]:
         text += "\n\nExplained:\n\n" + "\n".join(f"* {count} x {reason}" for reason, count in sorted(found["explained"].items(), key=lambda one: -one[1]))
     return text
@@ -128,7 +130,7 @@ def main():
 
 {COMMANDS}
 
-Two hours of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
+An hour or two of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
 
 ## Inputs of strangers
 
@@ -151,7 +153,7 @@ below.
 ## What the tests reach
 
 Lines that the compiler made code of, and branches without those of exceptions that the standard library may throw. Tests of speed, books, browsers
-and clusters, fuzzers and campaigns are left out, and programs that tests kill do not write what they reached. `build/coverage/missed.txt` names the lines.
+and clusters, of whole scenes and studies, fuzzers and campaigns are left out, and programs that tests kill do not write what they reached. `build/coverage/missed.txt` names the lines.
 
 {covered(read(options.folder / "coverage.json"))}
 
