@@ -10,10 +10,10 @@ namespace fissure {
 
 namespace {
 
-/// Of one tetrahedron.
+/// What the stiffness of a tetrahedron follows from.
 struct Element {
   double volume_m3 = 0;
-  Eigen::Matrix<double, 4, 3> gradients_1_m;  ///< of its shape functions, a row a corner
+  Eigen::Matrix<double, 4, 3> gradients_1_m;  ///< of its shape functions, one row per corner
 };
 
 Element elementOf(const TetrahedralMesh& mesh, const Tetrahedron& tetrahedron) {

@@ -136,7 +136,7 @@ std::string insideOut(std::size_t inward, std::size_t shells, double volume_m3) 
   return fmt::format("inside out (its volume is {:.6g} m^3: reverse all triangles)", volume_m3);
 }
 
-/// Of a closed and consistent surface.
+/// Reports which shells of a closed and consistent surface are inside out, or that it encloses no volume.
 void checkSense(const TriangleMesh& mesh, double unit_m, const std::vector<std::vector<Face>>& shells,
                 Report& report) {
   const double volume = signedVolume(mesh, mesh.faces);

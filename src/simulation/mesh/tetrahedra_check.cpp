@@ -61,7 +61,7 @@ int rootOf(std::vector<int>& parent, int t) {
   return t;
 }
 
-/// Of those with sides.
+/// The number of pieces that the tetrahedra form, where those that share a side belong to the same piece.
 std::size_t countPieces(const std::vector<Tetrahedron>& tetrahedra,
                         const std::vector<TetrahedronFace>& uses) {
   std::vector<int> parent(tetrahedra.size());

@@ -8,7 +8,8 @@ namespace fissure {
 
 namespace {
 
-/// Of one jaw in the clamp's frame. A positive turn about z takes what hangs below the hinge to the right.
+/// The pose of one jaw in the clamp's frame at an opening. A positive turn about z takes what hangs below the
+/// hinge to the right.
 Pose jawInClamp(const ClampSettings& clamp, const ClampPart& closed, double side, double opening) {
   const Quat orientation = closed.orientation.normalized();
   if (clamp.opening == ClampOpening::parallel)
