@@ -9,7 +9,8 @@
 
 Changed are: nothing (a second time), the number of workers, the layout of memory, what the heap holds, locale, time zone, working folder, the
 processor's features as the C library sees them (whose sine and power are others without fused multiply-add), the vectors that our own elements
-use, and the processor itself: engines run on older ones that QEMU plays, which does their arithmetic in software. A hash is of all data of a run but timing. Of a run that differs the first value is named.
+use, and the processor itself: engines run on older ones that QEMU plays, which does their arithmetic in software. A hash is of all data of a run but
+timing. Of a run that differs the first value is named.
 
 Bullet's runs alone may differ where the C library does. Exit codes: 0 the same; 1 a run differs; 2 bad input; 3 a run failed.
 """

@@ -212,10 +212,12 @@ as undisturbed, {bad} not as promised.**
 
 def section(arguments, rows, everything):
     total = lambda test: sum(1 for seen in everything if test(seen))
-    command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-study {arguments.every_study} --every-other {arguments.every_other} "
+    command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-study {arguments.every_study} "
+               f"--every-other {arguments.every_other} "
                f"--few {arguments.few} --seed {arguments.seed} -o results/faults/README.md")
     return HEADING + TEXT.format(
-        command=command, every=arguments.every, every_study=arguments.every_study, every_other=arguments.every_other, trials=len(everything), lost=total(lambda seen: seen.lost),
+        command=command, every=arguments.every, every_study=arguments.every_study, every_other=arguments.every_other,
+        trials=len(everything), lost=total(lambda seen: seen.lost),
         falsely=total(lambda seen: "false success" in seen.bad), incomplete=total(lambda seen: seen.incomplete),
         changed=total(lambda seen: seen.changed), again=total(lambda seen: seen.again), seconds=total(lambda seen: seen.again is not None),
         bad=total(lambda seen: seen.bad)) + "\n".join(rows) + "\n"
