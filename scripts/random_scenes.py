@@ -82,7 +82,7 @@ class Case:
         double = [run for run in self.finished() if run.settings(self.scenario).get("precision") != "f32"]
         exact = (double or self.finished())[0]  # whose meshes are not rounded, where there is such a run
         made = {"thinned": lambda: transforms.thinned_scene(scene, 3), "turned": lambda: transforms.turned_scene(scene),
-                "mirrored": lambda: transforms.mirrored_scene(scene, exact), "scaled": lambda: transforms.scaled_scene(scene, *transforms.FACTORS),
+                "mirrored": lambda: transforms.mirrored_scene(scene, exact), "scaled": lambda: transforms.scaled_scene(scene),
                 "renumbered": lambda: transforms.renumbered_scene(scene, exact, 1)}[name]()
         return generator.write(made, self.folder, name)
 

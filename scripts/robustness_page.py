@@ -4,8 +4,8 @@
     /usr/bin/python3 scripts/robustness_page.py [--folder out/robustness] [-o results/robustness]
 
 The folder holds fuzz.json (scripts/fuzz), coverage.json (scripts/coverage), scenes/summary.json (scripts/random_scenes.py), endurance/endurance.json
-(scripts/endurance.py) and determinism.json (scripts/determinism.py); the page names the commands. A part whose file is missing is
-named as not measured. Faults have a page of their own, whose totals are quoted.
+(scripts/endurance.py) and determinism.json (scripts/determinism.py); the page names the commands. A part whose file is missing stays as the
+page has it, so that each may be measured on its own. Faults have a page of their own, whose totals are quoted.
 """
 import argparse
 import json
@@ -34,8 +34,6 @@ def table(head, rows):
 
 
 def fuzzed(found):
-    if not found:
-        return "Not measured."
     rows = [(one["target"], f"{one['seconds']:.0f}", f"{one['executions']:,}", f"{one['edges']:,}", f"{one['features']:,}", one["crashes"])
             for one in found["fuzzed"]]
     executions = sum(one["executions"] for one in found["fuzzed"])
@@ -46,8 +44,6 @@ def fuzzed(found):
 
 
 def scenes(found):
-    if not found:
-        return "Not measured."
     runs, broken = found["runs"], len(found["broken"])
     rows = [(name.replace("_", " "), row["held"], row["explained"], row["broken"]) for name, row in found["invariants"].items()]
     text = (f"**{found['scenes']:,} scenes (seed {found['seed']}), {runs.get('all', 0):,} runs, {runs.get('with contact', 0):,} with contact, "
@@ -60,8 +56,6 @@ def scenes(found):
 
 
 def endured(found):
-    if not found:
-        return "Not measured."
     rows = []
     for one in found["runs"]:
         if "last_kib" in one:
@@ -83,8 +77,6 @@ def endured(found):
 
 
 def determined(found):
-    if not found:
-        return "Not measured."
     names = list(found["changes"])
     rows = []
     for row in found["runs"]:
@@ -112,12 +104,33 @@ def share(counts, what):
 
 
 def covered(found):
-    if not found:
-        return "Not measured."
     whole = {key: sum(counts[key] for counts in found["rooms"].values()) for key in next(iter(found["rooms"].values()))}
     rows = [(room, f"{counts['line_total']:,}", share(counts, "line"), share(counts, "branch")) for room, counts in found["rooms"].items()]
     return (f"**{share(whole, 'line')} % of {whole['line_total']:,} lines, {share(whole, 'branch')} % of {whole['branch_total']:,} branches.**\n\n"
             + table(("room", "lines", "reached, %", "branches, %"), rows))
+
+
+PARTS = (
+    ("Inputs of strangers", "fuzz.json", fuzzed, """\
+Everything that the program reads is fuzzed (libFuzzer, address and undefined-behaviour sanitizers), each input held to a promise: it is good, and
+what is written of it reads back equal, or it is refused in one line that names the file."""),
+    ("Random scenes", "scenes/summary.json", scenes, """\
+Valid scenes over all shapes, tissues, tools, motions, pipelines and laws, and what must hold of every run. What is explained is not held, for the reason
+below."""),
+    ("Faults of the system", None, faults, ""),
+    ("What the tests reach", "coverage.json", covered, """\
+Lines that the compiler made code of, and branches without those of exceptions that the standard library may throw. Tests of speed, books, browsers
+and clusters, of whole scenes and studies, fuzzers and campaigns are left out, and programs that tests kill do not write what they reached. `build/coverage/missed.txt` names the lines."""),
+    ("Endurance", "endurance/endurance.json", endured, ""),
+    ("The same bits", "determinism.json", determined, "Hashes of all data but times and provenance, with one thing changed at a time."))
+
+
+def part(title, name, text, introduction, folder, old):
+    """A part of the page; the one of the old page where it was not measured again."""
+    found = read(folder / name) if name else None
+    if name and not found:
+        return old.get(title, "Not measured.")
+    return "\n\n".join(filter(None, (introduction, text(found) if name else text())))
 
 
 def main():
@@ -126,49 +139,18 @@ def main():
     parser.add_argument("-o", "--output", type=pathlib.Path, default=ROOT / "results/robustness")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    page = f"""# What was tried to break it
+    page = options.output / "README.md"
+    old = dict(re.findall(r"^## (.*?)\n\n(.*?)\s*(?=^## |\Z)", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)) if page.is_file() else {}
+    parts = "\n\n".join(f"## {title}\n\n{part(title, name, text, introduction, options.folder, old)}" for title, name, text, introduction in PARTS)
+    page.write_text(f"""# What was tried to break it
 
 {COMMANDS}
 
 An hour or two of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
 
-## Inputs of strangers
-
-Everything that the program reads is fuzzed (libFuzzer, address and undefined-behaviour sanitizers), each input held to a promise: it is good, and
-what is written of it reads back equal, or it is refused in one line that names the file.
-
-{fuzzed(read(options.folder / "fuzz.json"))}
-
-## Random scenes
-
-Valid scenes over all shapes, tissues, tools, motions, pipelines and laws, and what must hold of every run. What is explained is not held, for the reason
-below.
-
-{scenes(read(options.folder / "scenes/summary.json"))}
-
-## Faults of the system
-
-{faults()}
-
-## What the tests reach
-
-Lines that the compiler made code of, and branches without those of exceptions that the standard library may throw. Tests of speed, books, browsers
-and clusters, of whole scenes and studies, fuzzers and campaigns are left out, and programs that tests kill do not write what they reached. `build/coverage/missed.txt` names the lines.
-
-{covered(read(options.folder / "coverage.json"))}
-
-## Endurance
-
-{endured(read(options.folder / "endurance/endurance.json"))}
-
-## The same bits
-
-Hashes of all data but times and provenance, with one thing changed at a time.
-
-{determined(read(options.folder / "determinism.json"))}
-"""
-    (options.output / "README.md").write_text(page, encoding="utf-8")
-    print(options.output / "README.md")
+{parts}
+""", encoding="utf-8")
+    print(page)
     return 0
 
 

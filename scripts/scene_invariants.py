@@ -460,7 +460,7 @@ def of_contact(run):
 def moves_alike(case, variant):
     """The variant's tissue is where this scene's is, moved: until the first contact to rounding, and in its first step by a share of the motion."""
     other, matrix = case.other(variant), transforms.MADE[variant]
-    length = transforms.FACTORS[0] if variant == "scaled" else 1
+    length = transforms.factors(case.scenario)[0] if variant == "scaled" else 1
     if not other or case.scenario["time"].get("settle_s"):
         return
     for run in case.finished():
@@ -520,7 +520,7 @@ def scales(case):
     """An elastic scene in other units of length, mass and time gives the same result in these units, contacts too where nothing rounds."""
     other = case.other("scaled")
     yield from moves_alike(case, "scaled")
-    m, kg, s = transforms.FACTORS
+    m, kg, s = transforms.factors(case.scenario)
     powers = {"reaction_force": (1, 1, -2), "momentum": (1, 1, -1), "stored_energy": (2, 1, -2), "kinetic_energy": (2, 1, -2), "max_pressure": (-1, 1, -2)}
     for run in case.finished() if other else ():
         its = other[run.name]

@@ -14,7 +14,6 @@ OWN_FRAME = {"shape", "clamp", "nodes", "regions", "pipelines"}
 UNITS = {"_m_s2": (1, 0, -2), "_m_s": (1, 0, -1), "_N_s_m": (0, 1, -1), "_N_m": (0, 1, -2), "_Pa_s": (-1, 1, -1), "_Pa": (-1, 1, -2),
          "_kg_m3": (-3, 1, 0), "_1_s": (0, 0, -1), "_kg": (0, 1, 0), "_N": (1, 1, -2), "_s": (0, 0, 1), "_m": (1, 0, 0)}
 MADE = {"turned": TURN, "mirrored": MIRROR, "renumbered": np.eye(3), "scaled": np.eye(3)}
-FACTORS = (4.0, 16.0, 0.25)  # of length, mass and time: powers of four, which round as one does
 
 
 def turned(quaternion, matrix):
@@ -128,7 +127,14 @@ def scaled_law(law, m, kg, s):
     return {key: value * by.get(key, 1) if key in by else value for key, value in law.items()}
 
 
-def scaled_scene(scene, m, kg, s):
+def factors(scenario):
+    """Of length, mass and time: powers of four, which round as one does. A law that moves a tool does so in steps of a micronewton: there a newton stays one."""
+    felt = any(tool.get("coupling", {}).get("force", "reaction") != "reaction" for tool in scenario.get("tools", []))
+    return 4.0, 1 / 64 if felt else 16.0, 0.25
+
+
+def scaled_scene(scene):
+    m, kg, s = factors(scene["scenario"])
     scenario = scaled(copy.deepcopy(scene["scenario"]), m, kg, s)
     if "force" in scenario:
         scenario["force"] = [scaled_law(law, m, kg, s) for law in scene["scenario"]["force"]]

@@ -1,9 +1,7 @@
 #include <chrono>
-#include <optional>
 #include <utility>
 
 #include "base/stage_times.h"
-#include "contact/half_space.h"
 #include "engine/pipeline.h"
 #include "engine/simulation.h"
 #include "stepping/contact_method.h"
@@ -11,13 +9,6 @@
 namespace fissure {
 
 namespace {
-
-/// The ground of a contact method of ours that stands on its own; else none.
-inline std::optional<HalfSpace> halfSpaceOf(const PipelineContext& context) {
-  const std::optional<GroundSettings>& ground = context.scenario.ground;
-  if (!ground || !context.settings.ownGround()) return std::nullopt;
-  return HalfSpace{.point_m = Vec3(0, ground->height_m, 0), .friction = ground->friction};
-}
 
 /// A contact method of ours after Bullet's own solve; the tools are no bodies of Bullet's world.
 class MethodPipeline : public Pipeline {
