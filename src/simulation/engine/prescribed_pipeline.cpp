@@ -49,7 +49,8 @@ class PrescribedPipeline : public Pipeline {
   }
 
  private:
-  // On the predicted positions: a held vertex has no mass that could be moved, and its tool's place.
+  // On the predicted positions: a held vertex has no mass that could be moved, and its tool's place, also by the
+  // velocity from which Bullet's velocity iterations take positions anew.
   void prescribe() {
     world_.readPositions(predicted_m_);
     held_.hold({.positions_m = predicted_m_,
@@ -64,9 +65,11 @@ class PrescribedPipeline : public Pipeline {
       for (int i = 0; i < body->m_nodes.size(); ++i) {
         const std::optional<HeldVertices::Held>& held = held_.vertices()[vertex++];
         if (!held) continue;
-        more = more || body->m_nodes[i].m_im > 0;
-        body->m_nodes[i].m_im = 0;
-        body->m_nodes[i].m_x = toBullet(now_[held->tool].pose.toScene(held->position_m));
+        btSoftBody::Node& node = body->m_nodes[i];
+        more = more || node.m_im > 0;
+        node.m_im = 0;
+        node.m_x = toBullet(now_[held->tool].pose.toScene(held->position_m));
+        node.m_v = (node.m_x - node.m_q) * body->m_sst.isdt;
       }
       if (more) updateLinkMobilities(*body);
     }

@@ -296,6 +296,25 @@ TEST(Simulation, PrescribedVerticesMoveWithTheTool) {
   EXPECT_GT(state.forces[0].elastic_N, 0);
 }
 
+// Bullet's velocity iterations take positions from velocities.
+TEST(Simulation, PrescribedVerticesStayWithTheToolUnderVelocityIterations) {
+  Scenario scenario = press();
+  scenario.bodies[0].solver.velocity_iterations = 3;
+  scenario.bodies[0].solver.drift_iterations = 4;
+  const Scene scene = sceneOf(scenario, false);
+  const auto simulation =
+      makeSimulation(scenario, {.name = "p", .pipeline = PipelineKind::prescribed}, scene, {at(0.0615)});
+  for (int i = 1; i <= 60; ++i) simulation->step({at(0.0615 - 0.0002 * i)});
+  const State& state = simulation->state();
+  int held = 0;
+  for (std::size_t v = 0; v < state.positions_m.size(); ++v) {
+    if (!state.contact.vertex_contact[v]) continue;
+    ++held;
+    EXPECT_NEAR(state.positions_m[v].y(), state.tools[0].pose.position_m.y() - 0.001 - 0.0005, 1e-12) << v;
+  }
+  EXPECT_GT(held, 0);
+}
+
 // A blade at rest on held tissue feels the elastic force alone: x' is zero, and nothing is clamped. (The
 // engine's own velocities would say tens of m/s.)
 TEST(Simulation, AtRestTheForceIsElastic) {
