@@ -8,8 +8,8 @@
 Each trial runs one command in a small folder; a preloaded library (tests/faults) lets the N-th call fail that
 opens, writes, truncates, syncs, closes, renames, removes or locks a file below that folder, in the front or in a
 worker, for N = 1, 2, ... until there is no such call. Then it looks at what is left, and runs the command again.
-Writes its section of the page; --check runs a few trials of each and writes nothing. Exit code 1 when anything
-is not as promised.
+Writes its section of the page, in which the rows of other commands than --case stay as they are; --check runs a few
+trials of each and writes nothing. Exit code 1 when anything is not as promised.
 """
 import argparse
 import collections
@@ -192,8 +192,8 @@ TEXT = """
 
 One command in a small folder (a scenario of 10 steps, sweeps and studies of a few), and one fault. A preloaded library counts
 the calls below that folder that open a file for writing, write, truncate, sync, close, rename, remove, link, make a folder or
-lock, of the front and its workers together, and lets the N-th fail: every {every}th in turn with EIO ({every_study}th of studies),
-every {every_other}th in the other ways (with 1 all of them). Once: that call alone. From then on: ENOSPC whatever needs room,
+lock, of the front and its workers together, and lets the N-th fail: {every} in turn with EIO (of studies {every_study}), and
+{every_other} in the other ways. Once: that call alone. From then on: ENOSPC whatever needs room,
 EIO everything, cleaning up included. Calls: of the undisturbed command. Failed: trials, by the first call that failed. Exit: how
 often which code. Lost: trials after which a final file is missing or other than undisturbed, of which **falsely** with exit
 code 0. Incomplete: a file under a final name that is not whole. Changed: results that were finished before, and are not bit by
@@ -210,17 +210,29 @@ as undisturbed, {bad} not as promised.**
 """
 
 
-def section(arguments, rows, everything):
-    total = lambda test: sum(1 for seen in everything if test(seen))
+def nth(every):
+    return "each" if every == 1 else f"every {every}th"
+
+
+def in_order(rows, page):
+    """Those rows in the order of the commands, with those of other commands that the page has."""
+    table = re.findall(r"^\| .*\|$", page.read_text(encoding="utf-8").partition(HEADING)[2], re.MULTILINE)[1:] if page.exists() else []
+    names_of = [case.name for case in cases()]
+    name_of = lambda line: line.split(" | ")[0].removeprefix("| ")
+    again = {name_of(line) for line in rows}
+    return sorted([line for line in table if name_of(line) in names_of and name_of(line) not in again] + rows, key=lambda line: names_of.index(name_of(line)))
+
+
+def section(arguments, rows):
+    def total(column, part=0):
+        return sum(int(re.findall(r"\d+", line.split(" | ")[column])[part]) for line in rows)
     command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-study {arguments.every_study} "
                f"--every-other {arguments.every_other} "
                f"--few {arguments.few} --seed {arguments.seed} -o results/faults/README.md")
     return HEADING + TEXT.format(
-        command=command, every=arguments.every, every_study=arguments.every_study, every_other=arguments.every_other,
-        trials=len(everything), lost=total(lambda seen: seen.lost),
-        falsely=total(lambda seen: "false success" in seen.bad), incomplete=total(lambda seen: seen.incomplete),
-        changed=total(lambda seen: seen.changed), again=total(lambda seen: seen.again), seconds=total(lambda seen: seen.again is not None),
-        bad=total(lambda seen: seen.bad)) + "\n".join(rows) + "\n"
+        command=command, every=nth(arguments.every), every_study=nth(arguments.every_study), every_other=nth(arguments.every_other),
+        trials=total(3), lost=total(5), falsely=total(6), incomplete=total(7), changed=total(8), again=total(10), seconds=total(10, 1),
+        bad=total(11)) + "\n".join(rows) + "\n"
 
 
 def write_section(page, text):
@@ -302,7 +314,7 @@ def main():
             return 1 if any(seen.bad for seen in check(shop, random.Random(arguments.seed))) else 0
     rows, everything = campaign(arguments)
     if arguments.output:
-        write_section(arguments.output, section(arguments, rows, everything))
+        write_section(arguments.output, section(arguments, in_order(rows, arguments.output)))
     return 1 if any(seen.bad for seen in everything) else 0
 
 
