@@ -246,10 +246,10 @@ def reaction_never_pulls(case):
                 complaint = "max_pressure below zero"
         if momentum_response(run.settings(case.scenario)) and len(run["time"]) == len(run["positions"]):
             for t, axis, side in plates(case, run):
-                looked = True
                 normals = np.array([rotation(q)[:, axis] * side for q in run["tool_quaternion"][:, t]])
                 pull_N = np.einsum("ij,ij->i", run["reaction_force"], normals)
                 largest_N = np.abs(run["reaction_force"]).max()
+                looked |= largest_N > 0
                 if (pull_N > ROUNDING * largest_N).any():
                     complaint = f"the reaction pulls with {pull_N.max():.3g} of {largest_N:.3g} N"
         if looked:
@@ -346,19 +346,21 @@ def energy_balances(case):
             continue
         total = run["kinetic_energy"] + run["stored_energy"] + run["gravity_energy"] + run["viscous_loss"] + run["mass_damping_loss"] - run["contact_work"]
         size = max(np.abs(run[name]).max() for name in ("kinetic_energy", "stored_energy", "gravity_energy", "viscous_loss", "mass_damping_loss", "contact_work"))
-        complaint = ""
+        complaint, reason = "", ""
         stiffest = max(float(body["elastic"]["youngs_modulus_Pa"]) for body in case.bodies() if body["model"] == "elastic")
         if size > 0 and np.abs(total - total[0] - run["energy_error"] + run["energy_error"][0]).max() > ROUNDING * size:
             complaint = f"energy_error is off by {np.abs(total - total[0] - run['energy_error']).max() / size:.3g} of the largest energy"
         # Velocities are half a substep behind positions, and losses and stored energy are taken between: near 0 they are off by a share of all energy.
         for name in ("viscous_loss", "mass_damping_loss"):
             if (np.diff(run[name]) < -1e-3 * size).any():
-                complaint = f"{name} falls"
+                if not complaint and "explodes" in run.summary.get("unsound_tissue", "") and np.diff(run[name]).argmin() + 1 >= run.summary["first_unsound_step"]:
+                    reason = "of tissue that explodes within a few substeps, losses are taken between velocities that have little in common"
+                complaint = complaint or f"{name} falls"
         if (run["kinetic_energy"] < 0).any() or (run["stored_energy"] < -0.05 * size - 1e-13 * stiffest * run["volume"][0]).any():
-            complaint = "an energy below zero"
+            complaint, reason = "an energy below zero", ""
         if "tool_work" in run and np.abs(run["tool_work"] - run["contact_work"] - run["contact_loss"]).max() > ROUNDING * max(size, np.abs(run["tool_work"]).max()):
-            complaint = "contact_loss is not tool_work less contact_work"
-        yield broken(run.name, complaint) if complaint else held(run.name)
+            complaint, reason = "contact_loss is not tool_work less contact_work", ""
+        yield explained(run.name, complaint, reason) if reason else broken(run.name, complaint) if complaint else held(run.name)
 
 
 # The same scene once more.
