@@ -335,7 +335,8 @@ def momentum_balances(case):
         size = np.abs(change).max() + np.abs(taken).max() + np.abs(weight).max() + np.abs(run["momentum"]).max() / dt
         inner = np.sqrt(2 * mass_kg * run["kinetic_energy"].max()) / dt  # at least what rounds: the vertices' own momenta together
         off = np.abs(change + taken - weight).max()
-        limit = 1e-7 * np.abs(weight).max() + 1e-9 * size + 1e-12 * inner  # Bullet takes steps in single precision
+        rest = mass_kg * case.size_m / dt ** 2  # whose rounding places at rest have
+        limit = 1e-7 * np.abs(weight).max() + 1e-9 * size + 1e-12 * inner + 1e-15 * rest  # Bullet takes steps in single precision
         yield broken(run.name, f"{off:.3g} N unaccounted for of {size:.3g} N") if off > limit else held(run.name)
 
 
