@@ -21,6 +21,10 @@ namespace {
 /// starts to pull by at most three times 2^-52.
 constexpr double kMargin = 8 * std::numeric_limits<double>::epsilon();
 
+/// Laws that are evaluated in all steps before the next ones: so many, with what callers keep for them, stay
+/// in a processor's cache.
+constexpr std::size_t kLawsAtATime = 256;
+
 /// Whether products of three such numbers are exact up to rounding: none overflows or becomes denormal.
 bool isOrdinary(double value) {
   const double size = std::abs(value);
@@ -75,94 +79,120 @@ LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<F
 }
 
 void LawFamily::evaluate(const std::vector<LawInput>& inputs) {
-  if (scenario_laws_ == 0 ? !inputs.empty() : inputs.size() % scenario_laws_ != 0)
-    throw std::logic_error("the inputs of force laws are not of the scenario's number of laws");
+  evaluate({&inputs, 1}, [](std::size_t, std::size_t, std::size_t) {});
+}
+
+void LawFamily::evaluate(std::span<const std::vector<LawInput>> steps, const Visitor& visit) {
+  for (const std::vector<LawInput>& inputs : steps)
+    if (scenario_laws_ == 0 ? !inputs.empty() : inputs.size() % scenario_laws_ != 0)
+      throw std::logic_error("the inputs of force laws are not of the scenario's number of laws");
+  orders_.resize(std::max(orders_.size(), steps.size()));
+  shared_.resize(orders_.size());
   for (std::size_t i = 0; i < groups_.size(); ++i) {
-    if (i == 0 || groups_[i].channel != groups_[i - 1].channel) orderByRate(groups_[i].channel, inputs);
-    evaluate(groups_[i], inputs);
+    const Group& group = groups_[i];
+    for (std::size_t s = 0; s < steps.size(); ++s) {
+      if (i == 0 || group.channel != groups_[i - 1].channel) orderByRate(group.channel, steps[s], orders_[s]);
+      share(group, steps[s], orders_[s], shared_[s]);
+    }
+    for (std::size_t first = 0; first < group.members.size(); first += kLawsAtATime) {
+      const std::size_t end = std::min(first + kLawsAtATime, group.members.size());
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        evaluate(group, steps[s], first, end, shared_[s]);
+        visit(s, group.first_place + first, group.first_place + end);
+      }
+    }
   }
 }
 
-void LawFamily::orderByRate(std::size_t channel, const std::vector<LawInput>& inputs) {
-  order_.clear();
-  for (std::size_t i = channel; i < inputs.size(); i += scenario_laws_) order_.push_back(i);
-  std::sort(order_.begin(), order_.end(), [&](std::size_t a, std::size_t b) {
+void LawFamily::orderByRate(std::size_t channel, const std::vector<LawInput>& inputs,
+                            std::vector<std::size_t>& order) const {
+  order.clear();
+  for (std::size_t i = channel; i < inputs.size(); i += scenario_laws_) order.push_back(i);
+  std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     const double of_a = inputs[a].rate_m_s, of_b = inputs[b].rate_m_s;
     return of_a < of_b || (std::isnan(of_b) && !std::isnan(of_a));
   });
 }
 
-void LawFamily::makeTerms(const Group& group, const std::vector<LawInput>& inputs) {
-  terms_.clear();
-  plain_.clear();
+void LawFamily::share(const Group& group, const std::vector<LawInput>& inputs,
+                      const std::vector<std::size_t>& order, Shared& shared) const {
+  shared.terms.clear();
+  shared.plain.clear();
+  shared.pulling = shared.pushing = 0;
   const ForceLawEntry& law = *group.law;
   const bool damped = law.find(CoefficientRole::damping) != nullptr;
   // A damper of its own acts where there is no deformation yet.
   const bool acts_at_zero = damped && !law.damping_grows_with_elastic;
-  for (const std::size_t i : order_) {
+  for (const std::size_t i : order) {
     const LawInput& input = inputs[i];
     const double x_m = input.deformation_m, rate_m_s = damped ? input.rate_m_s : 0;
     const bool usual = input.direction.allFinite() && (!group.per_area || isOrdinary(input.area_m2));
     if (usual && (acts_at_zero ? x_m < 0 : x_m <= 0)) continue;  // as the law has it
     const LawTerms terms = law.terms(group.coefficients, x_m, rate_m_s);
     if (!usual || terms.elastic == 0 || !isOrdinary(terms.elastic) || !isOrdinary(rate_m_s))
-      plain_.push_back(i);
+      shared.plain.push_back(i);
     else
-      terms_.push_back({terms.damping_over_elastic, terms.elastic, terms.damping, i});
+      shared.terms.push_back({terms.damping_over_elastic, terms.elastic, terms.damping, i});
   }
   const auto before = [](const Term& a, const Term& b) { return a.ratio < b.ratio; };
-  if (!std::is_sorted(terms_.begin(), terms_.end(), before)) std::sort(terms_.begin(), terms_.end(), before);
+  if (!std::is_sorted(shared.terms.begin(), shared.terms.end(), before))
+    std::sort(shared.terms.begin(), shared.terms.end(), before);
+  makeTails(group, inputs, shared);
 }
 
 // From the fastest growing triangle down: sums of what counts, never differences of sums.
-void LawFamily::makeTails(const Group& group, const std::vector<LawInput>& inputs) {
-  tails_.resize(terms_.size() + 1);
-  tails_.back() = {};
-  for (std::size_t t = terms_.size(); t-- > 0;) {
-    const Term& term = terms_[t];
+void LawFamily::makeTails(const Group& group, const std::vector<LawInput>& inputs, Shared& shared) const {
+  shared.tails.resize(shared.terms.size() + 1);
+  shared.tails.back() = {};
+  for (std::size_t t = shared.terms.size(); t-- > 0;) {
+    const Term& term = shared.terms[t];
     const LawInput& input = inputs[term.input];
     const double weight = group.per_area ? input.area_m2 : 1;
-    const Tail& next = tails_[t + 1];
-    tails_[t] = {next.a_direction + weight * term.a * input.direction,
-                 next.b_direction + weight * term.b * input.direction, next.a + weight * term.a,
-                 next.b + weight * term.b};
+    const Tail& next = shared.tails[t + 1];
+    shared.tails[t] = {next.a_direction + weight * term.a * input.direction,
+                       next.b_direction + weight * term.b * input.direction, next.a + weight * term.a,
+                       next.b + weight * term.b};
   }
 }
 
 void LawFamily::addPlainly(const Group& group, const Member& member, const LawInput& input, Sum& sum) const {
   const LawForce force = laws_[member.law].at(input.deformation_m, input.rate_m_s);
   const double area = group.per_area ? input.area_m2 : 1;
-  sum.value.elastic_N += area * force.elastic_N;
-  sum.value.viscous_N += area * force.viscous_N;
-  sum.value.adhesion_clamped += force.adhesion_clamped ? 1 : 0;
+  sum.elastic_N += area * force.elastic_N;
+  sum.viscous_N += area * force.viscous_N;
+  sum.adhesion_clamped += force.adhesion_clamped ? 1 : 0;
   sum.force_N += area * (force.elastic_N + force.viscous_N) * input.direction;
 }
 
-void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs) {
-  makeTerms(group, inputs);
-  makeTails(group, inputs);
-  // Terms before `pulling` pull, those from `pushing` on push; rounding decides between.
-  std::size_t pulling = 0, pushing = 0, place = group.first_place;
-  for (const Member& member : group.members) {
+LawFamily::Sum LawFamily::sumPlainly(const Group& group, const Member& member,
+                                     const std::vector<LawInput>& inputs, const Shared& shared) const {
+  Sum sum;
+  const std::size_t first = member.extreme ? 0 : shared.pulling;
+  const std::size_t end = member.extreme ? shared.terms.size() : shared.pushing;
+  for (std::size_t t = first; t < end; ++t) addPlainly(group, member, inputs[shared.terms[t].input], sum);
+  for (const std::size_t i : shared.plain) addPlainly(group, member, inputs[i], sum);
+  return sum;
+}
+
+// Of the group's members from `first` to before `end`, which must follow those of the call before.
+void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs, std::size_t first,
+                         std::size_t end, Shared& shared) {
+  const std::vector<Term>& terms = shared.terms;
+  for (std::size_t m = first; m < end; ++m) {
+    const Member& member = group.members[m];
     const double above = member.threshold * (1 - kMargin), below = member.threshold * (1 + kMargin);
-    while (pulling < terms_.size() && terms_[pulling].ratio < below) ++pulling;
-    while (pushing < terms_.size() && terms_[pushing].ratio <= above) ++pushing;
+    while (shared.pulling < terms.size() && terms[shared.pulling].ratio < below) ++shared.pulling;
+    while (shared.pushing < terms.size() && terms[shared.pushing].ratio <= above) ++shared.pushing;
     Sum sum;
-    std::size_t tail = pushing;
-    if (member.extreme) {
-      for (const Term& term : terms_) addPlainly(group, member, inputs[term.input], sum);
-      tail = terms_.size();
-    } else {
-      sum.value.adhesion_clamped = static_cast<int>(pulling);
-      for (std::size_t t = pulling; t < pushing; ++t) addPlainly(group, member, inputs[terms_[t].input], sum);
-    }
-    for (const std::size_t i : plain_) addPlainly(group, member, inputs[i], sum);
-    const Tail& pushed = tails_[tail];
+    if (member.extreme || shared.pulling != shared.pushing || !shared.plain.empty())
+      sum = sumPlainly(group, member, inputs, shared);
+    if (!member.extreme) sum.adhesion_clamped += static_cast<int>(shared.pulling);
+    const Tail& pushed = shared.tails[member.extreme ? terms.size() : shared.pushing];
     sum.force_N += member.k * pushed.a_direction + member.c * pushed.b_direction;
-    sum.value.elastic_N += member.k * pushed.a;
-    sum.value.viscous_N += member.c * pushed.b;
-    sum.value.force_N = sum.force_N.norm();
-    values_[place++] = sum.value;
+    values_[group.first_place + m] = {.force_N = sum.force_N.norm(),
+                                      .elastic_N = sum.elastic_N + member.k * pushed.a,
+                                      .viscous_N = sum.viscous_N + member.c * pushed.b,
+                                      .adhesion_clamped = sum.adhesion_clamped};
   }
 }
 

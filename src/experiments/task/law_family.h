@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "base/state.h"
@@ -34,10 +36,18 @@ class LawFamily {
   /// State::law_inputs. Throws std::logic_error when they are no whole number of triangles.
   void evaluate(const std::vector<LawInput>& inputs);
 
-  /// The value of a law, which is named by its number in the constructor; zeros before the first evaluate().
+  /// Called when the values at the places from `first` to before `end` are those of one of several steps,
+  /// which is named by its index.
+  using Visitor = std::function<void(std::size_t step, std::size_t first, std::size_t end)>;
+  /// Evaluates all laws for the inputs of several steps in turn. `visit` sees every place in every step, the
+  /// steps in their order, but some places in all steps before it sees the next ones: what is kept for each
+  /// of a million laws is then read from memory once for all steps, and from the cache for the others.
+  void evaluate(std::span<const std::vector<LawInput>> steps, const Visitor& visit);
+
+  /// The value of a law in the last step, which is named by its number in the constructor; zeros before the
+  /// first evaluate().
   const LawValue& value(std::size_t law) const { return values_[places_[law]]; }
-  /// The values of all laws, each at its place(law). They are computed in this order, so that whoever keeps
-  /// something for each of a million laws in the same order goes through memory from end to end.
+  /// The values of all laws, each at its place(law), in the order in which they are computed.
   const std::vector<LawValue>& valuesByPlace() const { return values_; }
   std::size_t place(std::size_t law) const { return places_[law]; }
 
@@ -67,27 +77,40 @@ class LawFamily {
     Vec3 a_direction = Vec3::Zero(), b_direction = Vec3::Zero();
     double a = 0, b = 0;
   };
+  /// What the laws of a group share in one step.
+  struct Shared {
+    std::vector<Term> terms;         ///< in the order of their ratios
+    std::vector<std::size_t> plain;  ///< inputs that have no term
+    std::vector<Tail> tails;         ///< one more than terms; the last is zero
+    /// For the law at hand: terms before `pulling` pull, those from `pushing` on push; rounding decides
+    /// between.
+    std::size_t pulling = 0, pushing = 0;
+  };
   /// Partial sum of one law.
   struct Sum {
     Vec3 force_N = Vec3::Zero();
-    LawValue value;
+    double elastic_N = 0, viscous_N = 0;
+    int adhesion_clamped = 0;
   };
 
-  void orderByRate(std::size_t channel, const std::vector<LawInput>& inputs);
-  void makeTerms(const Group& group, const std::vector<LawInput>& inputs);
-  void makeTails(const Group& group, const std::vector<LawInput>& inputs);
+  void orderByRate(std::size_t channel, const std::vector<LawInput>& inputs,
+                   std::vector<std::size_t>& order) const;
+  void share(const Group& group, const std::vector<LawInput>& inputs, const std::vector<std::size_t>& order,
+             Shared& shared) const;
+  void makeTails(const Group& group, const std::vector<LawInput>& inputs, Shared& shared) const;
   void addPlainly(const Group& group, const Member& member, const LawInput& input, Sum& sum) const;
-  void evaluate(const Group& group, const std::vector<LawInput>& inputs);
+  Sum sumPlainly(const Group& group, const Member& member, const std::vector<LawInput>& inputs,
+                 const Shared& shared) const;
+  void evaluate(const Group& group, const std::vector<LawInput>& inputs, std::size_t first, std::size_t end,
+                Shared& shared);
 
   std::size_t scenario_laws_;
   std::vector<ForceLaw> laws_;
-  std::vector<Group> groups_;        ///< groups of one channel are adjacent
-  std::vector<std::size_t> places_;  ///< of each law in values_
-  std::vector<LawValue> values_;     ///< group by group
-  std::vector<std::size_t> order_;   ///< inputs of one channel in the order of their rates, NaN last
-  std::vector<Term> terms_;          ///< terms of one group in the order of their ratios
-  std::vector<std::size_t> plain_;   ///< inputs of one group that have no term
-  std::vector<Tail> tails_;          ///< one more than terms; the last is zero
+  std::vector<Group> groups_;                     ///< groups of one channel are adjacent
+  std::vector<std::size_t> places_;               ///< of each law in values_
+  std::vector<LawValue> values_;                  ///< group by group
+  std::vector<std::vector<std::size_t>> orders_;  ///< [step] a channel's inputs by their rates, NaN last
+  std::vector<Shared> shared_;                    ///< [step] of one group
 };
 
 }  // namespace fissure

@@ -6,6 +6,9 @@ namespace fissure {
 
 namespace {
 
+constexpr std::size_t kSteps = 32;          ///< that wait at most
+constexpr std::size_t kInputs = 1'000'000;  ///< of all steps that wait, about: 48 MB
+
 std::vector<ForceSettings> flat(const std::vector<std::vector<ForceSettings>>& rows,
                                 const std::vector<ForceSettings>& scenario_laws) {
   std::vector<ForceSettings> laws;
@@ -33,14 +36,27 @@ LawStatistics::LawStatistics(const std::vector<std::vector<ForceSettings>>& rows
       laws_(rows.size() * scenario_laws.size()) {}
 
 void LawStatistics::add(const State& state) {
-  family_.evaluate(state.law_inputs);
-  for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const LawValue& value = family_.valuesByPlace()[i];
-    laws_[i].max_N.add(value.force_N);
-    laws_[i].roughness.add(value.force_N);
-    if (laws_[i].non_finite_at_step < 0 && !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
-      laws_[i].non_finite_at_step = state.step;
-  }
+  if (inputs_.size() == steps_.size()) inputs_.emplace_back();
+  inputs_[steps_.size()].assign(state.law_inputs.begin(), state.law_inputs.end());
+  waiting_inputs_ += state.law_inputs.size();
+  steps_.push_back(state.step);
+  if (steps_.size() == kSteps || waiting_inputs_ >= kInputs) evaluate();
+}
+
+void LawStatistics::evaluate() {
+  family_.evaluate(std::span(inputs_).first(steps_.size()),
+                   [&](std::size_t step, std::size_t first, std::size_t end) {
+                     for (std::size_t i = first; i < end; ++i) {
+                       const LawValue& value = family_.valuesByPlace()[i];
+                       laws_[i].max_N.add(value.force_N);
+                       laws_[i].roughness.add(value.force_N);
+                       if (laws_[i].non_finite_at_step < 0 &&
+                           !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
+                         laws_[i].non_finite_at_step = steps_[step];
+                     }
+                   });
+  steps_.clear();
+  waiting_inputs_ = 0;
 }
 
 void LawStatistics::summarize(std::size_t row, Summary& summary) const {

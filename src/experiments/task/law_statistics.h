@@ -11,7 +11,8 @@
 namespace fissure {
 
 /// The summary values of force laws, for many sets of laws over one simulation. Without force limits of
-/// devices and roughness_same_triangles, which need more data of each triangle.
+/// devices and roughness_same_triangles, which need more data of each triangle. Steps are evaluated some at a
+/// time, where nobody asks for their values.
 class LawStatistics {
  public:
   /// `rows`: sets of laws, each with the scenario's laws in their order but other coefficients.
@@ -20,6 +21,8 @@ class LawStatistics {
 
   /// Takes the state of the next step.
   void add(const State& state);
+  /// Evaluates the steps that wait; to be called before value() and summarize().
+  void evaluate();
 
   std::size_t rows() const { return laws_.size() / names_.size(); }
   /// The value in the last state of law row x number of laws + law.
@@ -39,6 +42,9 @@ class LawStatistics {
   }
 
   std::vector<std::string> names_;
+  std::vector<std::vector<LawInput>> inputs_;  ///< of steps that wait, and the storage of earlier ones
+  std::vector<long long> steps_;               ///< numbers of the steps that wait
+  std::size_t waiting_inputs_ = 0;
   LawFamily family_;
   std::vector<Law> laws_;  ///< at their places in the family
 };

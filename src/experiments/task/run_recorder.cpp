@@ -74,6 +74,7 @@ void RunRecorder::append(const RecordRow& row) {
   if (settings_.next) settings_.next->append(row);
   if (width_ == 0 || next_time_ == settings_.times_s.size()) return;
   const double now_s = row[layout_.find("time")->first_column];
+  if (settings_.laws) settings_.laws->evaluate();
   std::vector<double> now = valuesOf(row);
   const double step_s = now_s - before_s_;
   const double tolerance_s = step_slack * step_s;
@@ -120,6 +121,7 @@ void RunRecorder::finish(const RunStatus& status, const Summary& summary) {
       of_run.push_back(number);
     }
   }
+  if (settings_.laws) settings_.laws->evaluate();
   for (std::size_t row = 0; row < rows_; ++row) {
     numbers_.values.insert(numbers_.values.end(), of_run.begin(), of_run.end());
     if (!settings_.laws) continue;

@@ -18,20 +18,6 @@ SummaryValue countOrMissing(const std::string& name, bool counted, long long cou
   return {name, count};
 }
 
-void RunningMax::add(double value) {
-  if (!started_ || std::isnan(value) || value > value_) value_ = value;
-  started_ = true;
-}
-
-void Roughness::add(double value) {
-  ++count_;
-  sum_of_squares_ += value * value;
-  const double difference = before_last_ - 2 * last_ + value;
-  if (count_ >= 3) sum_of_squared_differences_ += difference * difference;
-  before_last_ = last_;
-  last_ = value;
-}
-
 double Roughness::of(std::span<const Roughness> series) {
   double mean_square = 0, mean_square_difference = 0;
   for (const Roughness& one : series) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <limits>
 #include <span>
 #include <string>
@@ -26,7 +27,10 @@ SummaryValue countOrMissing(const std::string& name, bool counted, long long cou
 /// then unknown.
 class RunningMax {
  public:
-  void add(double value);
+  void add(double value) {
+    if (!started_ || std::isnan(value) || value > value_) value_ = value;
+    started_ = true;
+  }
   double value() const { return value_; }
 
  private:
@@ -39,7 +43,14 @@ class RunningMax {
 /// a series of zeros, and after any NaN.
 class Roughness {
  public:
-  void add(double value);
+  void add(double value) {
+    ++count_;
+    sum_of_squares_ += value * value;
+    const double difference = before_last_ - 2 * last_ + value;
+    if (count_ >= 3) sum_of_squared_differences_ += difference * difference;
+    before_last_ = last_;
+    last_ = value;
+  }
   double value() const { return of({this, 1}); }
   /// The joint roughness of several series of the same length: both means are over all their values.
   static double of(std::span<const Roughness> series);

@@ -218,6 +218,30 @@ TEST(LawFamily, WhatIsNoNumberStaysSo) {
   EXPECT_TRUE(std::isfinite(family.value(0).force_N)) << "the step after is good again";
 }
 
+// To the last bit, however many laws are evaluated at a time.
+TEST(LawFamily, StepsTogetherAreStepsInTurn) {
+  std::vector<ForceSettings> laws = manyLaws();
+  for (int i = 0; i < 600; ++i) laws.push_back(huntCrossley(1 + i, 0.1 * i, 1.3));
+  std::vector<std::vector<LawInput>> steps;
+  for (const int triangles : {60, 0, 7, 200}) steps.push_back(randomInputs(triangles, 5 + triangles));
+  LawFamily together(laws, {laws[0]}), in_turn(laws, {laws[0]});
+  std::vector<std::vector<double>> forces_N(steps.size(), std::vector<double>(laws.size(), -1));
+  std::vector<std::size_t> seen(laws.size());
+  together.evaluate(steps, [&](std::size_t step, std::size_t first, std::size_t end) {
+    for (std::size_t place = first; place < end; ++place) {
+      EXPECT_EQ(seen[place]++, step) << "each place once in a step, and steps in their order";
+      forces_N[step][place] = together.valuesByPlace()[place].force_N;
+    }
+  });
+  for (std::size_t s = 0; s < steps.size(); ++s) {
+    in_turn.evaluate(steps[s]);
+    for (std::size_t law = 0; law < laws.size(); ++law)
+      EXPECT_EQ(forces_N[s][together.place(law)], in_turn.value(law).force_N) << s << " " << law;
+  }
+  EXPECT_THROW(LawFamily({laws[0]}, {laws[0], laws[0]}).evaluate({{randomInputs(3, 1)}}, [](auto...) {}),
+               std::logic_error);
+}
+
 // To the last bit: a sweep may be cut into families in any way.
 TEST(LawFamily, OtherLawsAndTheirOrderDoNotMatter) {
   const std::vector<ForceSettings> laws = manyLaws();
