@@ -17,7 +17,7 @@ namespace fissure {
 
 namespace {
 
-constexpr std::size_t rows_a_read = 1024;
+constexpr std::size_t rows_a_read = 4096;
 
 enum class Field { number, count, text };
 
@@ -74,7 +74,8 @@ void writeRows(std::ofstream& stream, const SweepTable& table, const std::vector
     std::vector<std::string> lines(count);
     for (const Column& column : columns) {
       const std::vector<std::string> made = fields(table, column, first, count);
-      for (std::size_t i = 0; i < count; ++i) lines[i] += (&column == &columns.front() ? "" : ",") + made[i];
+      for (std::size_t i = 0; i < count; ++i)
+        lines[i].append(&column == &columns.front() ? "" : ",").append(made[i]);
     }
     std::string text;
     for (const std::string& line : lines) text.append(line).append("\n");
