@@ -561,13 +561,17 @@ def far_contact(case, run):
     run["contact_count"][...] = 1
 
 
+def next_to(number):
+    return np.nextafter(number, np.inf) if np.isfinite(number) else 0.0
+
+
 def of_variant(name):
     def apply(case, run):
         other = case.results[name][run.name]
         if name == "thinned":
-            other["kinetic_energy"][-1] = np.nextafter(other["kinetic_energy"][-1], np.inf)
+            other["kinetic_energy"][-1] = next_to(other["kinetic_energy"][-1])
         elif name == "resolved":
-            other["positions"][-1, 0, 0] = np.nextafter(other["positions"][-1, 0, 0], np.inf)
+            other["positions"][-1, 0, 0] = next_to(other["positions"][-1, 0, 0])
         else:
             other["positions"][1:] = other["positions"][1:] + 0.1 * case.size_m
     return apply
