@@ -16,9 +16,9 @@ import sys
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 COMMANDS = """\
     mkdir -p out/robustness
-    scripts/fuzz --seconds 60 --seed 1 > out/robustness/fuzz.json
+    scripts/fuzz --seconds 2400 --seed 11 > out/robustness/fuzz.json
     scripts/coverage > out/robustness/coverage.json
-    /usr/bin/python3 scripts/random_scenes.py --count 500 --seed 3 -o out/robustness/scenes
+    /usr/bin/python3 scripts/random_scenes.py --count 2000 --seed 8 -o out/robustness/scenes
     /usr/bin/python3 scripts/endurance.py -o out/robustness/endurance
     /usr/bin/python3 scripts/determinism.py --json out/robustness/determinism.json
     /usr/bin/python3 scripts/robustness_page.py"""
@@ -146,7 +146,7 @@ def main():
 
 {COMMANDS}
 
-An hour or two of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
+Four hours of two cores; each command does the same for longer: `--seconds` of fuzzing, `--count` of scenes, `--steps` and `--simulations` of endurance.
 
 {parts}
 """, encoding="utf-8")
