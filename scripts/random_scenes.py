@@ -5,6 +5,7 @@
     /usr/bin/python3 scripts/random_scenes.py --count 1000 --seed 5 -j 2 [-o FOLDER]
     /usr/bin/python3 scripts/random_scenes.py --seed 5 --only 17        one scene of a seed
     /usr/bin/python3 scripts/random_scenes.py --again FOLDER            a scene that was written because it broke something
+    /usr/bin/python3 scripts/random_scenes.py --judge-again -o FOLDER   all that an earlier run broke, after a mend: FOLDER/summary.json anew
 
 Scenes are drawn by scene_generator.py, invariants stand in scene_invariants.py. A scene that breaks one is made smaller while it still
 does and written to a folder below FOLDER (out/scenes): scene.yaml with its files, scene.json, and why.txt with seed, invariant and command.
@@ -278,6 +279,27 @@ def again(arguments):
     return 1 if any(complaint and not why for *_, complaint, why in found) else 0
 
 
+def judge_again(arguments):
+    """The scenes that a summary names as broken once more, with what has become of each."""
+    path = arguments.output / "summary.json"
+    summary = json.loads(path.read_text())
+    explained, still = collections.Counter(summary["explained"]), []
+    seen = {number: safe_look((summary["seed"], number, arguments.program, chosen_variants(number))) for number in {number for number, *_ in summary["broken"]}}
+    for number, name, complaint in summary["broken"]:
+        of_run = [(now, why) for of, run, pipeline, now, why in seen[number]["verdicts"] if of == name and complaint.startswith(f"{run} ({pipeline})")]
+        if not of_run or any(now and not why for now, why in of_run):
+            still.append([number, name, complaint])
+            continue
+        whys = [why for _, why in of_run if why]
+        summary["invariants"][name]["broken"] -= 1
+        summary["invariants"][name]["explained" if whys else "held"] += 1
+        explained.update(f"{name}: {why}" for why in whys[:1])
+    summary.update(broken=still, explained=dict(explained))
+    path.write_text(json.dumps(summary, indent=1) + "\n")
+    show(summary)
+    return 1 if still else 0
+
+
 def chosen_variants(number):
     """Each scene has one variant, so that a thousand of them have each a hundred times."""
     names = list(invariants.VARIANT.values())
@@ -324,11 +346,14 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", type=int, help="one scene of the seed")
     parser.add_argument("--again", type=pathlib.Path, help="a folder of a scene that broke an invariant")
+    parser.add_argument("--judge-again", action="store_true", help="what the summary in OUTPUT calls broken, once more")
     parser.add_argument("-j", type=int, default=2, help="scenes at a time")
     parser.add_argument("-o", "--output", type=pathlib.Path, default=ROOT / "out/scenes")
     arguments = parser.parse_args()
     if arguments.again:
         return again(arguments)
+    if arguments.judge_again:
+        return judge_again(arguments)
     if arguments.check:
         arguments.seed, arguments.count = CHECKED
     numbers = [arguments.only] if arguments.only is not None else range(arguments.count)

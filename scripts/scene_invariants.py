@@ -496,7 +496,11 @@ def moves_alike(case, variant):
         bad = off_m > share * went_m + floor * case.size_m
         if (bad & free).any():
             step = int(np.argmax(bad & free))
-            yield broken(run.name, f"{off_m[step]:.3g} m off at step {step}, where tissue has moved {went_m[step]:.3g} m; first contact at {of_contact(run)}")
+            text = f"{off_m[step]:.3g} m off at step {step}, where tissue has moved {went_m[step]:.3g} m; first contact at {of_contact(run)}"
+            if "explodes" in run.summary.get("unsound_tissue", "") and step >= run.summary["first_unsound_step"]:
+                yield explained(run.name, text, "what rounds grows with tissue that explodes")
+            else:
+                yield broken(run.name, text)
         elif bad.any():
             yield explained(run.name, f"apart from step {int(np.argmax(bad))} on, first contact at {contact}",
                             "contacts are looked for and swept in the order of a tree and of numbers, and what they do from then on is chaotic")
