@@ -49,8 +49,8 @@ class PrescribedPipeline : public Pipeline {
   }
 
  private:
-  // On the predicted positions: a held vertex has no mass that could be moved, and its tool's place, also by the
-  // velocity from which Bullet's velocity iterations take positions anew.
+  // On the predicted positions: a held vertex has no mass that could be moved, and its tool's place. Its
+  // velocity leads there too, because Bullet's velocity iterations take positions from velocities anew.
   void prescribe() {
     world_.readPositions(predicted_m_);
     held_.hold({.positions_m = predicted_m_,
