@@ -192,7 +192,7 @@ TEXT = """
 
 One command in a small folder (a scenario of 10 steps, sweeps and studies of a few), and one fault. A preloaded library counts
 the calls below that folder that open a file for writing, write, truncate, sync, close, rename, remove, link, make a folder or
-lock, of the front and its workers together, and lets the N-th fail: {every} in turn with EIO (of studies {every_study}), and
+lock, of the front and its workers together, and lets the N-th fail: {every} in turn with EIO{of_studies}, and
 {every_other} in the other ways. Once: that call alone. From then on: ENOSPC whatever needs room,
 EIO everything, cleaning up included. Calls: of the undisturbed command. Failed: trials, by the first call that failed. Exit: how
 often which code. Lost: trials after which a final file is missing or other than undisturbed, of which **falsely** with exit
@@ -229,8 +229,9 @@ def section(arguments, rows):
     command = (f"/usr/bin/python3 scripts/fault_calls.py --every {arguments.every} --every-study {arguments.every_study} "
                f"--every-other {arguments.every_other} "
                f"--few {arguments.few} --seed {arguments.seed} -o results/faults/README.md")
+    of_studies = "" if arguments.every_study == arguments.every else f" (of studies {nth(arguments.every_study)})"
     return HEADING + TEXT.format(
-        command=command, every=nth(arguments.every), every_study=nth(arguments.every_study), every_other=nth(arguments.every_other),
+        command=command, every=nth(arguments.every), of_studies=of_studies, every_other=nth(arguments.every_other),
         trials=total(3), lost=total(5), falsely=total(6), incomplete=total(7), changed=total(8), again=total(10), seconds=total(10, 1),
         bad=total(11)) + "\n".join(rows) + "\n"
 
