@@ -1,5 +1,6 @@
 #include "engine/contact_trees.h"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <numeric>

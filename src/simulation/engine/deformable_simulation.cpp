@@ -51,7 +51,7 @@ class SubstepCount {
 /// An elastic body in Bullet's own deformable world, with Bullet's own contact. Bullet does not say what its
 /// contacts gave the tissue: here that is what of the momentum of the vertices in contact neither elements
 /// nor gravity account for, elements at the end of an implicit step, at the start of an explicit one.
-class DeformableSimulation : public Simulation {
+class DeformableSimulation final : public Simulation {
  public:
   DeformableSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
                        const std::vector<Pose>& first_poses)

@@ -72,7 +72,7 @@ std::vector<double> masses(const Scene& scene, const std::vector<double>& invers
   return masses_kg;
 }
 
-class BulletSimulation : public Simulation {
+class BulletSimulation final : public Simulation {
  public:
   BulletSimulation(const Scenario& scenario, const PipelineSettings& settings, const Scene& scene,
                    const std::vector<Pose>& first_poses)
