@@ -19,7 +19,8 @@ namespace {
 using Kind = YamlNode::Kind;
 using Path = std::filesystem::path;
 
-/// Of an override: more than any scenario has below each other.
+/// The most parts and characters that the path of an override may have: more than any key of a scenario
+/// needs.
 constexpr std::size_t most_parts = 64, longest_path = 1000;
 
 /// Position of the item that `part` names, or counts; items.size() if there is none.

@@ -8,7 +8,8 @@ namespace fissure {
 
 namespace {
 
-/// Of btConjugateGradient, which `projection` uses, and of btConjugateResidual.
+/// Bullet's default tolerances: that of btConjugateGradient, which `projection` uses, and that of
+/// btConjugateResidual.
 constexpr double kStockGradientTolerance = std::numeric_limits<double>::epsilon();
 constexpr double kStockResidualTolerance = 1e-8;
 constexpr int kStockKrylovIterations = 300;  // btDeformableBodySolver

@@ -13,7 +13,7 @@ bool isDigit(char c) {
   return std::isdigit(static_cast<unsigned char>(c)) != 0;
 }
 
-/// Of UTF-8 too: the bytes of a micro sign belong to a word.
+/// Whether the byte belongs to a word. Every byte of a UTF-8 character beyond ASCII does, as in a micro sign.
 bool isLetter(char c) {
   return std::isalpha(static_cast<unsigned char>(c)) != 0 || static_cast<unsigned char>(c) >= 0x80;
 }

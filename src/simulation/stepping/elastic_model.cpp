@@ -33,7 +33,7 @@ ElasticMaterial materialOf(const ElasticSettings& settings) {
           .mass_damping_1_s = settings.mass_damping_1_s};
 }
 
-/// Of the body, then of its regions.
+/// The material of the body, followed by those of its regions.
 ElementMaterials materialsOf(const ElasticSettings& elastic, const SceneVolume& volume) {
   ElementMaterials materials = {{materialOf(elastic)}, volume.regions};
   for (const ElasticRegion& region : elastic.regions)
