@@ -211,7 +211,7 @@ as undisturbed, {bad} not as promised.**
 
 
 def nth(every):
-    return "each" if every == 1 else f"every {every}th"
+    return "each" if every == 1 else f"one in {every}"
 
 
 def in_order(rows, page):

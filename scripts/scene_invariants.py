@@ -340,6 +340,11 @@ def momentum_balances(case):
         yield broken(run.name, f"{off:.3g} N unaccounted for of {size:.3g} N") if off > limit else held(run.name)
 
 
+def has_exploded(run, step):
+    """Whether the run says that its tissue explodes, in this step or before."""
+    return "explodes" in run.summary.get("unsound_tissue", "") and step >= run.summary["first_unsound_step"]
+
+
 def energy_balances(case):
     """Energies of elastic tissue balance: the error is what the other energies leave, losses only grow, and elements at rest have none."""
     for run in case.finished():
@@ -354,7 +359,7 @@ def energy_balances(case):
         # Velocities are half a substep behind positions, and losses and stored energy are taken between: near 0 they are off by a share of all energy.
         for name in ("viscous_loss", "mass_damping_loss"):
             if (np.diff(run[name]) < -1e-3 * size).any():
-                if not complaint and "explodes" in run.summary.get("unsound_tissue", "") and np.diff(run[name]).argmin() + 1 >= run.summary["first_unsound_step"]:
+                if not complaint and has_exploded(run, np.diff(run[name]).argmin() + 1):
                     reason = "of tissue that explodes within a few substeps, losses are taken between velocities that have little in common"
                 complaint = complaint or f"{name} falls"
         if (run["kinetic_energy"] < 0).any() or (run["stored_energy"] < -0.05 * size - 1e-13 * stiffest * run["volume"][0]).any():
@@ -497,7 +502,7 @@ def moves_alike(case, variant):
         if (bad & free).any():
             step = int(np.argmax(bad & free))
             text = f"{off_m[step]:.3g} m off at step {step}, where tissue has moved {went_m[step]:.3g} m; first contact at {of_contact(run)}"
-            if "explodes" in run.summary.get("unsound_tissue", "") and step >= run.summary["first_unsound_step"]:
+            if has_exploded(run, step):
                 yield explained(run.name, text, "what rounds grows with tissue that explodes")
             else:
                 yield broken(run.name, text)
