@@ -65,7 +65,7 @@ void expectRecorded(const Folder& folder, const std::string& inputs_file, const 
     family.evaluate({from, to});
     from = to;
     for (std::size_t law = 0; law < evaluated.force.size(); ++law) {
-      const LawValue& value = family.value(law);
+      const LawValue value = family.value(law);
       const double rounding_N = 1e-12 * (at(elastic, law, row) + std::abs(at(viscous, law, row)));
       const std::string where = evaluated.force[law].name + " in row " + std::to_string(row);
       ASSERT_NEAR(value.force_N, at(force, law, row), rounding_N) << where;

@@ -44,6 +44,17 @@ std::size_t channelOf(const ForceSettings& law, const std::vector<ForceSettings>
 
 }  // namespace
 
+LawValues::LawValues(std::size_t laws)
+    : force_N(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(laws))),
+      elastic_N(force_N),
+      viscous_N(force_N),
+      adhesion_clamped(laws) {}
+
+LawValue LawValues::at(std::size_t place) const {
+  const auto i = static_cast<Eigen::Index>(place);
+  return {force_N[i], elastic_N[i], viscous_N[i], adhesion_clamped[place]};
+}
+
 LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<ForceSettings>& scenario_laws)
     : scenario_laws_(scenario_laws.size()), places_(laws.size()), values_(laws.size()) {
   std::map<std::tuple<std::size_t, bool, ForceModel, double>, Group> groups;
@@ -73,7 +84,13 @@ LawFamily::LawFamily(const std::vector<ForceSettings>& laws, const std::vector<F
     std::stable_sort(group.members.begin(), group.members.end(),
                      [](const Member& a, const Member& b) { return a.threshold < b.threshold; });
     group.first_place = place;
-    for (const Member& member : group.members) places_[member.law] = place++;
+    group.k.resize(static_cast<Eigen::Index>(group.members.size()));
+    group.c.resize(group.k.size());
+    for (Eigen::Index m = 0; const Member& member : group.members) {
+      places_[member.law] = place++;
+      group.k[m] = member.k;
+      group.c[m++] = member.c;
+    }
     groups_.push_back(std::move(group));
   }
 }
@@ -174,26 +191,62 @@ LawFamily::Sum LawFamily::sumPlainly(const Group& group, const Member& member,
   return sum;
 }
 
-// Of the group's members from `first` to before `end`, which must follow those of the call before.
+// Evaluates the group's members from `first` to before `end`, which must follow those of the call before.
 void LawFamily::evaluate(const Group& group, const std::vector<LawInput>& inputs, std::size_t first,
                          std::size_t end, Shared& shared) {
   const std::vector<Term>& terms = shared.terms;
-  for (std::size_t m = first; m < end; ++m) {
-    const Member& member = group.members[m];
+  while (first < end) {
+    const Member& member = group.members[first];
     const double above = member.threshold * (1 - kMargin), below = member.threshold * (1 + kMargin);
     while (shared.pulling < terms.size() && terms[shared.pulling].ratio < below) ++shared.pulling;
     while (shared.pushing < terms.size() && terms[shared.pushing].ratio <= above) ++shared.pushing;
-    Sum sum;
-    if (member.extreme || shared.pulling != shared.pushing || !shared.plain.empty())
-      sum = sumPlainly(group, member, inputs, shared);
-    if (!member.extreme) sum.adhesion_clamped += static_cast<int>(shared.pulling);
-    const Tail& pushed = shared.tails[member.extreme ? terms.size() : shared.pushing];
-    sum.force_N += member.k * pushed.a_direction + member.c * pushed.b_direction;
-    values_[group.first_place + m] = {.force_N = sum.force_N.norm(),
-                                      .elastic_N = sum.elastic_N + member.k * pushed.a,
-                                      .viscous_N = sum.viscous_N + member.c * pushed.b,
-                                      .adhesion_clamped = sum.adhesion_clamped};
+    if (member.extreme || shared.pulling != shared.pushing || !shared.plain.empty()) {
+      evaluateSingly(group, inputs, first++, shared);
+      continue;
+    }
+    // The members for which the same triangles pull.
+    const double next =
+        shared.pushing < terms.size() ? terms[shared.pushing].ratio : std::numeric_limits<double>::infinity();
+    std::size_t alike = first + 1;
+    while (alike < end && !group.members[alike].extreme &&
+           group.members[alike].threshold * (1 - kMargin) < next)
+      ++alike;
+    evaluateAlike(group, first, alike, shared);
+    first = alike;
   }
+}
+
+void LawFamily::evaluateSingly(const Group& group, const std::vector<LawInput>& inputs, std::size_t m,
+                               const Shared& shared) {
+  const Member& member = group.members[m];
+  Sum sum = sumPlainly(group, member, inputs, shared);
+  if (!member.extreme) sum.adhesion_clamped += static_cast<int>(shared.pulling);
+  const Tail& pushed = shared.tails[member.extreme ? shared.terms.size() : shared.pushing];
+  sum.force_N += member.k * pushed.a_direction + member.c * pushed.b_direction;
+  const std::size_t place = group.first_place + m;
+  const auto i = static_cast<Eigen::Index>(place);
+  values_.force_N[i] = sum.force_N.norm();
+  values_.elastic_N[i] = sum.elastic_N + member.k * pushed.a;
+  values_.viscous_N[i] = sum.viscous_N + member.c * pushed.b;
+  values_.adhesion_clamped[place] = sum.adhesion_clamped;
+}
+
+// Bit by bit as singly: each sum begins with 0, the square of a norm with the sum over y and z.
+void LawFamily::evaluateAlike(const Group& group, std::size_t first, std::size_t end, const Shared& shared) {
+  const Tail& pushed = shared.tails[shared.pushing];
+  const auto count = static_cast<Eigen::Index>(end - first);
+  const auto k = group.k.segment(static_cast<Eigen::Index>(first), count);
+  const auto c = group.c.segment(static_cast<Eigen::Index>(first), count);
+  const std::size_t place = group.first_place + first;
+  const auto i = static_cast<Eigen::Index>(place);
+  const auto squared = [&](Eigen::Index axis) {
+    return (k * pushed.a_direction[axis] + c * pushed.b_direction[axis]).square();
+  };
+  values_.force_N.segment(i, count) = (squared(0) + (squared(1) + squared(2))).sqrt();
+  values_.elastic_N.segment(i, count) = 0.0 + k * pushed.a;
+  values_.viscous_N.segment(i, count) = 0.0 + c * pushed.b;
+  std::fill_n(values_.adhesion_clamped.begin() + static_cast<std::ptrdiff_t>(place), count,
+              static_cast<int>(shared.pulling));
 }
 
 }  // namespace fissure

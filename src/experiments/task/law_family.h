@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <functional>
 #include <span>
@@ -17,6 +18,16 @@ struct LawValue {
   double elastic_N = 0;  ///< sum of the triangles' elastic terms (magnitudes)
   double viscous_N = 0;  ///< sum of the triangles' viscous terms (signed magnitudes)
   int adhesion_clamped = 0;
+};
+
+/// The values of many force laws in one step, each as in LawValue.
+struct LawValues {
+  explicit LawValues(std::size_t laws);
+  LawValue at(std::size_t place) const;
+  std::size_t size() const { return adhesion_clamped.size(); }
+
+  Eigen::ArrayXd force_N, elastic_N, viscous_N;
+  std::vector<int> adhesion_clamped;
 };
 
 /// Evaluates many force laws over the same simulation, ten thousand at the cost of a few. Every law is a sum
@@ -46,9 +57,9 @@ class LawFamily {
 
   /// The value of a law in the last step, which is named by its number in the constructor; zeros before the
   /// first evaluate().
-  const LawValue& value(std::size_t law) const { return values_[places_[law]]; }
+  LawValue value(std::size_t law) const { return values_.at(places_[law]); }
   /// The values of all laws, each at its place(law), in the order in which they are computed.
-  const std::vector<LawValue>& valuesByPlace() const { return values_; }
+  const LawValues& valuesByPlace() const { return values_; }
   std::size_t place(std::size_t law) const { return places_[law]; }
 
  private:
@@ -65,6 +76,7 @@ class LawFamily {
     bool per_area = false;
     std::size_t channel = 0;      ///< index of the scenario law whose inputs they use
     std::vector<Member> members;  ///< in ascending order of threshold
+    Eigen::ArrayXd k, c;          ///< the factors of all members
     std::size_t first_place = 0;  ///< of the first member in values_; the others follow
   };
   struct Term {
@@ -103,12 +115,15 @@ class LawFamily {
                  const Shared& shared) const;
   void evaluate(const Group& group, const std::vector<LawInput>& inputs, std::size_t first, std::size_t end,
                 Shared& shared);
+  void evaluateSingly(const Group& group, const std::vector<LawInput>& inputs, std::size_t member,
+                      const Shared& shared);
+  void evaluateAlike(const Group& group, std::size_t first, std::size_t end, const Shared& shared);
 
   std::size_t scenario_laws_;
   std::vector<ForceLaw> laws_;
   std::vector<Group> groups_;                     ///< groups of one channel are adjacent
   std::vector<std::size_t> places_;               ///< of each law in values_
-  std::vector<LawValue> values_;                  ///< group by group
+  LawValues values_;                              ///< group by group
   std::vector<std::vector<std::size_t>> orders_;  ///< [step] a channel's inputs by their rates, NaN last
   std::vector<Shared> shared_;                    ///< [step] of one group
 };

@@ -44,10 +44,11 @@ void LawStatistics::add(const State& state) {
 }
 
 void LawStatistics::evaluate() {
+  const LawValues& values = family_.valuesByPlace();
   family_.evaluate(std::span(inputs_).first(steps_.size()),
                    [&](std::size_t step, std::size_t first, std::size_t end) {
                      for (std::size_t i = first; i < end; ++i) {
-                       const LawValue& value = family_.valuesByPlace()[i];
+                       const LawValue value = values.at(i);
                        laws_[i].max_N.add(value.force_N);
                        laws_[i].roughness.add(value.force_N);
                        if (laws_[i].non_finite_at_step < 0 &&

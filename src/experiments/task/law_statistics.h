@@ -26,7 +26,7 @@ class LawStatistics {
 
   std::size_t rows() const { return laws_.size() / names_.size(); }
   /// The value in the last state of law row x number of laws + law.
-  const LawValue& value(std::size_t law) const { return family_.value(law); }
+  LawValue value(std::size_t law) const { return family_.value(law); }
   /// Appends the summary values of one row, with the names that the probe of forces uses.
   void summarize(std::size_t row, Summary& summary) const;
 

@@ -46,7 +46,7 @@ std::vector<double> RunRecorder::valuesOf(const RecordRow& row) {
       for (std::size_t r = 0; r < rows_; ++r) {
         double& value = values[r * width_ + at];
         if (settings_.laws) {
-          const LawValue& of = settings_.laws->value(r * laws_ + law);
+          const LawValue of = settings_.laws->value(r * laws_ + law);
           value = magnitude ? of.force_N : elastic ? of.elastic_N : of.viscous_N;
         } else if (magnitude) {
           const std::size_t x = column + 3 * law;

@@ -1,6 +1,7 @@
 #include "table/sweep_csv.h"
 
 #include <algorithm>
+#include <bit>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -55,8 +56,14 @@ std::vector<std::string> fields(const SweepTable& table, const Column& column, s
   if (column.field == Field::text) {
     for (const std::string& text : table.texts(column.name, first, count)) made.push_back(csvField(text));
   } else {
-    for (const double number : table.numbers(column.name, first, count))
-      made.push_back(numberField(number, column.field));
+    double last = 0;
+    for (const double number : table.numbers(column.name, first, count)) {
+      // Runs that differ in a law alone have most of their numbers in common.
+      const bool same =
+          !made.empty() && std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(last);
+      made.push_back(same ? made.back() : numberField(number, column.field));
+      last = number;
+    }
   }
   return made;
 }

@@ -73,7 +73,7 @@ void expectPlainValues(const std::vector<ForceSettings>& laws, const std::vector
   family.evaluate(inputs);
   ASSERT_EQ(family.valuesByPlace().size(), laws.size());
   for (std::size_t i = 0; i < laws.size(); ++i) {
-    const LawValue& found = family.value(i);
+    const LawValue found = family.value(i);
     const PlainValue plain = plainly(laws[i], inputs);
     const LawValue& value = plain.value;
     std::string law(entryOf(laws[i].model).name);
@@ -157,7 +157,8 @@ TEST(LawFamily, AStepWithoutTrianglesGivesZeros) {
   LawFamily family(manyLaws(), {huntCrossley(200, 50, 1.3)});
   family.evaluate(randomInputs(60, 1));
   family.evaluate({});
-  for (const LawValue& value : family.valuesByPlace()) {
+  for (std::size_t place = 0; place < family.valuesByPlace().size(); ++place) {
+    const LawValue value = family.valuesByPlace().at(place);
     EXPECT_EQ(value.force_N, 0);
     EXPECT_EQ(value.elastic_N, 0);
     EXPECT_EQ(value.adhesion_clamped, 0);
@@ -230,7 +231,7 @@ TEST(LawFamily, StepsTogetherAreStepsInTurn) {
   together.evaluate(steps, [&](std::size_t step, std::size_t first, std::size_t end) {
     for (std::size_t place = first; place < end; ++place) {
       EXPECT_EQ(seen[place]++, step) << "each place once in a step, and steps in their order";
-      forces_N[step][place] = together.valuesByPlace()[place].force_N;
+      forces_N[step][place] = together.valuesByPlace().force_N[static_cast<Eigen::Index>(place)];
     }
   });
   for (std::size_t s = 0; s < steps.size(); ++s) {
