@@ -1,6 +1,7 @@
 #include "task/law_statistics.h"
 
 #include <cmath>
+#include <limits>
 
 namespace fissure {
 
@@ -33,7 +34,13 @@ LawStatistics::LawStatistics(const std::vector<std::vector<ForceSettings>>& rows
                              const std::vector<ForceSettings>& scenario_laws)
     : names_(namesOf(scenario_laws)),
       family_(flat(rows, scenario_laws), scenario_laws),
-      laws_(rows.size() * scenario_laws.size()) {}
+      last_N_(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(rows.size() * scenario_laws.size()))),
+      before_last_N_(last_N_),
+      squares_(last_N_),
+      squared_differences_(last_N_),
+      non_finite_at_step_(rows.size() * scenario_laws.size(), -1) {
+  max_N_ = last_N_ - std::numeric_limits<double>::infinity();
+}
 
 void LawStatistics::add(const State& state) {
   if (inputs_.size() == steps_.size()) inputs_.emplace_back();
@@ -44,32 +51,46 @@ void LawStatistics::add(const State& state) {
 }
 
 void LawStatistics::evaluate() {
-  const LawValues& values = family_.valuesByPlace();
-  family_.evaluate(std::span(inputs_).first(steps_.size()),
-                   [&](std::size_t step, std::size_t first, std::size_t end) {
-                     for (std::size_t i = first; i < end; ++i) {
-                       const LawValue value = values.at(i);
-                       laws_[i].max_N.add(value.force_N);
-                       laws_[i].roughness.add(value.force_N);
-                       if (laws_[i].non_finite_at_step < 0 &&
-                           !std::isfinite(value.force_N + value.elastic_N + value.viscous_N))
-                         laws_[i].non_finite_at_step = steps_[step];
-                     }
-                   });
+  family_.evaluate(
+      std::span(inputs_).first(steps_.size()),
+      [this](std::size_t step, std::size_t first, std::size_t end) { addStep(step, first, end); });
+  evaluated_steps_ += static_cast<long long>(steps_.size());
   steps_.clear();
   waiting_inputs_ = 0;
 }
 
+// The laws at the places from `first` to before `end`, in one of the steps that wait.
+void LawStatistics::addStep(std::size_t step, std::size_t first, std::size_t end) {
+  const auto of = [&](auto& array) {
+    return array.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end - first));
+  };
+  const LawValues& values = family_.valuesByPlace();
+  const auto force_N = of(values.force_N);
+  auto max_N = of(max_N_), last_N = of(last_N_), before_last_N = of(before_last_N_);
+  max_N = (force_N > max_N || force_N.isNaN()).select(force_N, max_N);
+  of(squares_) += force_N.square();
+  if (evaluated_steps_ + static_cast<long long>(step) >= 2)
+    of(squared_differences_) += (before_last_N - 2 * last_N + force_N).square();
+  before_last_N = last_N;
+  last_N = force_N;
+  const auto sums_N = force_N + of(values.elastic_N) + of(values.viscous_N);
+  if ((0 * sums_N).sum() == 0) return;  // else one of them is not finite, which is rare
+  for (std::size_t i = first; i < end; ++i)
+    if (non_finite_at_step_[i] < 0 && !std::isfinite(sums_N[static_cast<Eigen::Index>(i - first)]))
+      non_finite_at_step_[i] = steps_[step];
+}
+
 void LawStatistics::summarize(std::size_t row, Summary& summary) const {
   const auto add = [&](std::size_t index, const std::string& name) {
-    const Law& law = lawOf(row, index);
-    summary.push_back({"max_force" + name + "_N", law.max_N.value()});
-    summary.push_back({"force_roughness" + name, law.roughness.value()});
+    const auto i = static_cast<Eigen::Index>(placeOf(row, index));
+    summary.push_back({"max_force" + name + "_N", evaluated_steps_ > 0 ? max_N_[i] : kMissing});
+    summary.push_back({"force_roughness" + name,
+                       Roughness::ofSums(evaluated_steps_, squares_[i], squared_differences_[i]).value()});
   };
   add(0, "");
   for (std::size_t i = 0; i < names_.size(); ++i) {
     add(i, "_" + names_[i]);
-    const long long step = lawOf(row, i).non_finite_at_step;
+    const long long step = non_finite_at_step_[placeOf(row, i)];
     summary.push_back(
         {"force_non_finite_at_step_" + names_[i], step < 0 ? kMissing : static_cast<double>(step)});
   }

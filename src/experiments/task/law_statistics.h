@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -24,29 +25,27 @@ class LawStatistics {
   /// Evaluates the steps that wait; to be called before value() and summarize().
   void evaluate();
 
-  std::size_t rows() const { return laws_.size() / names_.size(); }
+  std::size_t rows() const { return non_finite_at_step_.size() / names_.size(); }
   /// The value in the last state of law row x number of laws + law.
   LawValue value(std::size_t law) const { return family_.value(law); }
   /// Appends the summary values of one row, with the names that the probe of forces uses.
   void summarize(std::size_t row, Summary& summary) const;
 
  private:
-  struct Law {
-    RunningMax max_N;
-    Roughness roughness;
-    long long non_finite_at_step = -1;
-  };
-
-  const Law& lawOf(std::size_t row, std::size_t index) const {
-    return laws_[family_.place(row * names_.size() + index)];
+  void addStep(std::size_t step, std::size_t first, std::size_t end);
+  std::size_t placeOf(std::size_t row, std::size_t index) const {
+    return family_.place(row * names_.size() + index);
   }
 
   std::vector<std::string> names_;
   std::vector<std::vector<LawInput>> inputs_;  ///< of steps that wait, and the storage of earlier ones
   std::vector<long long> steps_;               ///< numbers of the steps that wait
   std::size_t waiting_inputs_ = 0;
+  long long evaluated_steps_ = 0;
   LawFamily family_;
-  std::vector<Law> laws_;  ///< at their places in the family
+  // [place of a law in the family], as in RunningMax and Roughness
+  Eigen::ArrayXd max_N_, last_N_, before_last_N_, squares_, squared_differences_;
+  std::vector<long long> non_finite_at_step_;  ///< -1: in none
 };
 
 }  // namespace fissure

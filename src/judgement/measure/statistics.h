@@ -43,6 +43,15 @@ class RunningMax {
 /// a series of zeros, and after any NaN.
 class Roughness {
  public:
+  Roughness() = default;
+  /// The roughness of `count` values of which these sums are known. No value can be added to it.
+  static Roughness ofSums(long long count, double sum_of_squares, double sum_of_squared_differences) {
+    Roughness roughness;
+    roughness.sum_of_squares_ = sum_of_squares;
+    roughness.sum_of_squared_differences_ = sum_of_squared_differences;
+    roughness.count_ = count;
+    return roughness;
+  }
   void add(double value) {
     ++count_;
     sum_of_squares_ += value * value;

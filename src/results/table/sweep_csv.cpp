@@ -49,23 +49,22 @@ std::string numberField(double number, Field field) {
   return formatReal(number);
 }
 
-/// The fields of some rows of a column.
-std::vector<std::string> fields(const SweepTable& table, const Column& column, std::size_t first,
-                                std::size_t count) {
-  std::vector<std::string> made;
+/// Appends the column's fields in the rows from `first` on to `lines`, one per row.
+void appendFields(const SweepTable& table, const Column& column, std::size_t first,
+                  std::vector<std::string>& lines) {
   if (column.field == Field::text) {
-    for (const std::string& text : table.texts(column.name, first, count)) made.push_back(csvField(text));
-  } else {
-    double last = 0;
-    for (const double number : table.numbers(column.name, first, count)) {
-      // Runs that differ in a law alone have most of their numbers in common.
-      const bool same =
-          !made.empty() && std::bit_cast<std::uint64_t>(number) == std::bit_cast<std::uint64_t>(last);
-      made.push_back(same ? made.back() : numberField(number, column.field));
-      last = number;
-    }
+    const std::vector<std::string> texts = table.texts(column.name, first, lines.size());
+    for (std::size_t i = 0; i < lines.size(); ++i) lines[i].append(csvField(texts[i]));
+    return;
   }
-  return made;
+  const std::vector<double> numbers = table.numbers(column.name, first, lines.size());
+  std::string made;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    // Runs that differ in a law alone have most of their numbers in common.
+    if (i == 0 || std::bit_cast<std::uint64_t>(numbers[i]) != std::bit_cast<std::uint64_t>(numbers[i - 1]))
+      made = numberField(numbers[i], column.field);
+    lines[i].append(made);
+  }
 }
 
 /// Puts `text` into the stream and on its way. Throws RunError with the system's reason.
@@ -76,15 +75,17 @@ void put(std::ofstream& stream, const std::string& text) {
 }
 
 void writeRows(std::ofstream& stream, const SweepTable& table, const std::vector<Column>& columns) {
+  std::vector<std::string> lines;
+  std::string text;
   for (std::size_t first = 0; first < table.runs(); first += rows_a_read) {
-    const std::size_t count = std::min(rows_a_read, table.runs() - first);
-    std::vector<std::string> lines(count);
+    lines.resize(std::min(rows_a_read, table.runs() - first));
+    for (std::string& line : lines) line.clear();
     for (const Column& column : columns) {
-      const std::vector<std::string> made = fields(table, column, first, count);
-      for (std::size_t i = 0; i < count; ++i)
-        lines[i].append(&column == &columns.front() ? "" : ",").append(made[i]);
+      if (&column != &columns.front())
+        for (std::string& line : lines) line.push_back(',');
+      appendFields(table, column, first, lines);
     }
-    std::string text;
+    text.clear();
     for (const std::string& line : lines) text.append(line).append("\n");
     put(stream, text);
   }
