@@ -16,6 +16,7 @@
 #include "motion/motion.h"
 #include "scenario/catalog.h"
 #include "scenario/rigid_tools.h"
+#include "stepping/substep_plan.h"
 #include "text/units.h"
 #include "text/wrapped_text.h"
 
@@ -94,7 +95,8 @@ void printScene(const CheckedScenario& checked) {
     const std::size_t fixed = body.fixed_vertices.size();
     if (fixed > 0) std::cout << ", " << fixed << " of them fixed";
     std::cout << "\n";
-    if (body.volume) printElastic(scenario.bodies[0], *checked.substeps);
+    if (body.volume)
+      printElastic(scenario.bodies[0], planSubsteps(scenario.bodies[0], body, scenario.time.step_s));
   }
   for (const std::string& note : checked.notes) std::cout << "  " << note << "\n";
   for (const std::string& warning : scenarioWarnings(checked)) std::cout << "  " << warning << "\n";

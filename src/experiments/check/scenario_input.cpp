@@ -12,6 +12,7 @@
 #include "scene/build_scene.h"
 #include "scene/fixed_vertices.h"
 #include "scene/place.h"
+#include "stepping/substep_plan.h"
 #include "text/did_you_mean.h"
 #include "volume/mesh_files.h"
 
@@ -239,11 +240,11 @@ void notePreset(const std::string& path, const Material& material, std::vector<s
                     *material.preset);
 }
 
-/// What a step of the elastic body costs, where there is one; notes what is odd about its volume.
-std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
+/// Checks the volume and the step of the elastic body, where there is one; notes what is odd about it.
+void checkElastic(CheckedScenario& checked) {
   const Scenario& scenario = checked.loaded.scenario;
   const SceneBody& body = checked.prepared.scene.bodies.at(0);
-  if (!body.volume) return std::nullopt;
+  if (!body.volume) return;
   const std::string path = "bodies." + body.name + ".shape: ";
   for (const VolumeDefect& defect : inspectTetrahedra(body.volume->mesh, body.rest)) {
     if (spoilsVolume(defect.kind))
@@ -255,7 +256,7 @@ std::optional<SubstepPlan> substepsOf(CheckedScenario& checked) {
   for (const ElasticRegion& region : scenario.bodies[0].elastic.regions)
     notePreset(elastic + ".regions." + region.name, region, checked.notes);
   try {
-    return planSubsteps(scenario.bodies[0], body, scenario.time.step_s);
+    checkSubsteps(scenario.bodies[0], body, scenario.time.step_s);
   } catch (const InputError& error) {
     throw InputError(inFile(checked.file), error.what());
   }
@@ -282,7 +283,7 @@ CheckedScenario checkLoaded(const std::filesystem::path& file, LoadedScenario lo
   prepared.scene = sceneOf(checked, files);
   for (const SceneTool& tool : prepared.scene.tools) checkTool(checked, tool);
   checkSamples(checked);
-  checked.substeps = substepsOf(checked);
+  checkElastic(checked);
   prepared.motions = makeMotions(scenario);
   for (std::size_t t = 0; t < prepared.motions.size(); ++t)
     for (const std::string& note : prepared.motions[t]->notes())

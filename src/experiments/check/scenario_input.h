@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +9,6 @@
 #include "base/error.h"
 #include "scenario/load.h"
 #include "scene/prepared_scenario.h"
-#include "stepping/substep_plan.h"
 
 namespace fissure {
 
@@ -45,8 +43,7 @@ struct CheckedScenario {
   /// Oddities and repairs of surfaces from files, and oddities of logs, one line each: "bodies.liver.shape:
   /// 57 sliver triangles (...)".
   std::vector<std::string> notes;
-  std::optional<SubstepPlan> substeps;  ///< plan of the elastic body, where there is one
-  PreparedScenario prepared;            ///< with nodes where any of the pipelines uses them
+  PreparedScenario prepared;  ///< with nodes where any of the pipelines uses them
 };
 
 /// Loads a scenario, applies `selection`, and makes the checks that need other files: surfaces of bodies,

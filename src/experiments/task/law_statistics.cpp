@@ -59,7 +59,7 @@ void LawStatistics::evaluate() {
   waiting_inputs_ = 0;
 }
 
-// The laws at the places from `first` to before `end`, in one of the steps that wait.
+// Adds one of the steps that wait to what is kept of the laws at the places from `first` to before `end`.
 void LawStatistics::addStep(std::size_t step, std::size_t first, std::size_t end) {
   const auto of = [&](auto& array) {
     return array.segment(static_cast<Eigen::Index>(first), static_cast<Eigen::Index>(end - first));

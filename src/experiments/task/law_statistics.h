@@ -43,7 +43,7 @@ class LawStatistics {
   std::size_t waiting_inputs_ = 0;
   long long evaluated_steps_ = 0;
   LawFamily family_;
-  // [place of a law in the family], as in RunningMax and Roughness
+  // What RunningMax and Roughness would keep of each law, at its place in the family.
   Eigen::ArrayXd max_N_, last_N_, before_last_N_, squares_, squared_differences_;
   std::vector<long long> non_finite_at_step_;  ///< -1: in none
 };

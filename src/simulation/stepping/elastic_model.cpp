@@ -41,6 +41,20 @@ ElementMaterials materialsOf(const ElasticSettings& elastic, const SceneVolume& 
   return materials;
 }
 
+/// The body at rest and without weight. Throws std::invalid_argument where steps of `step_s` need too many
+/// substeps.
+ElasticTissue makeTissueFor(const BodySettings& settings, const SceneBody& body, double step_s) {
+  ElasticTissue tissue = makeTissue(settings, body, Vec3::Zero());
+  const double critical_step_s = tissue.criticalStep_s();
+  const double most_s = ElasticTissue::kMostSubsteps * ElasticTissue::kStepSafety * critical_step_s;
+  if (step_s < most_s) return tissue;
+  std::ostringstream text;
+  text << "a step of " << step_s << " s needs more than " << ElasticTissue::kMostSubsteps
+       << " substeps: the fastest vibration of the mesh allows " << critical_step_s
+       << " s, expected a softer, less viscous or coarser body, or a shorter step";
+  throw std::invalid_argument(text.str());
+}
+
 }  // namespace
 
 ElasticTissue makeTissue(const BodySettings& settings, const SceneBody& body, const Vec3& gravity_m_s2) {
@@ -49,20 +63,19 @@ ElasticTissue makeTissue(const BodySettings& settings, const SceneBody& body, co
           static_cast<int>(body.rest.vertices_m.size()), gravity_m_s2};
 }
 
+void checkSubsteps(const BodySettings& settings, const SceneBody& body, double step_s) {
+  try {
+    makeTissueFor(settings, body, step_s);
+  } catch (const std::invalid_argument& error) {
+    throw InputError("bodies." + settings.name + ".elastic: " + error.what());
+  }
+}
+
 SubstepPlan planSubsteps(const BodySettings& settings, const SceneBody& body, double step_s) {
   try {
-    ElasticTissue tissue = makeTissue(settings, body, Vec3::Zero());
-    const double critical_step_s = tissue.criticalStep_s();
-    const double most_s = ElasticTissue::kMostSubsteps * ElasticTissue::kStepSafety * critical_step_s;
-    if (!(step_s < most_s)) {
-      std::ostringstream text;
-      text << "a step of " << step_s << " s needs more than " << ElasticTissue::kMostSubsteps
-           << " substeps: the fastest vibration of the mesh allows " << critical_step_s
-           << " s, expected a softer, less viscous or coarser body, or a shorter step";
-      throw std::invalid_argument(text.str());
-    }
+    ElasticTissue tissue = makeTissueFor(settings, body, step_s);
     SubstepPlan plan = {.tetrahedra = body.volume->mesh.tetrahedra.size(),
-                        .critical_step_s = critical_step_s,
+                        .critical_step_s = tissue.criticalStep_s(),
                         .substeps = tissue.substepsFor(step_s),
                         .regions = {}};
     const ElementMaterials materials = materialsOf(settings.elastic, *body.volume);

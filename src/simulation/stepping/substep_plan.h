@@ -24,8 +24,10 @@ struct SubstepPlan {
   int substeps_without_stiffest = 0;
 };
 
-/// The plan for a body, which must have its volume, and a time step. Throws InputError where this machine
-/// cannot run it.
+/// Throws InputError where this machine cannot run an elastic body, which must have its volume, in such
+/// steps.
+void checkSubsteps(const BodySettings& settings, const SceneBody& body, double step_s);
+/// The plan for a body and a time step, at several times the cost of checkSubsteps(), which it includes.
 SubstepPlan planSubsteps(const BodySettings& settings, const SceneBody& body, double step_s);
 
 }  // namespace fissure
