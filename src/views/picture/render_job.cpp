@@ -75,7 +75,8 @@ std::vector<double> timesOf(const std::vector<PictureSeries>& all) {
   return {times_s.begin(), times_s.end()};
 }
 
-/// Of all their times: a run that ended early has no later pictures of its own.
+/// Chooses among the times of all series together, because a run that ended early has no later pictures.
+/// Each series gets those of the chosen times that it has itself.
 void chooseTimes(std::vector<PictureSeries>& all, const TimeSelection& selection) {
   const std::vector<double> chosen_s = selectTimes(timesOf(all), selection);
   for (PictureSeries& series : all) {

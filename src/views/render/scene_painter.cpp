@@ -13,8 +13,8 @@ constexpr double shadow_far =
     0.18;  ///< darkness of a shadow cast from far above, as a share of one at contact
 constexpr double shadow_fade_m = 0.008;  ///< height over which it fades to that
 
-/// Of each vertex its share of the largest pressure on an elastic body, 0 where it is pulled; empty where
-/// nothing is pressed.
+/// The pressure at each vertex of an elastic body as a share of the largest, 0 where the vertex is pulled;
+/// empty where nothing is pressed.
 std::vector<double> sharesOfLargest(const State& state) {
   if (!state.volume || state.volume->pressures_Pa.empty()) return {};
   std::vector<double> shares = state.volume->pressures_Pa;

@@ -47,7 +47,7 @@ std::vector<std::vector<Track>> readTracks(const SweepTable& table, const CurveQ
   return tracks;
 }
 
-/// Of sorted values; between two of them in proportion.
+/// The quantile of sorted values, interpolated linearly between two of them.
 double quantile(const std::vector<float>& sorted, double share) {
   const double at = share * static_cast<double>(sorted.size() - 1);
   const auto below = static_cast<std::size_t>(at);
